@@ -1,0 +1,14 @@
+//! A pixel's whole set of samples in one fixed-capacity buffer, for users who sort, reuse or upload it.
+
+/// Up to `CAPACITY` points of D numbers in [0, 1).
+pub type Pattern<const D: usize, const CAPACITY: usize> = heapless::Vec<[f32; D], CAPACITY>;
+
+/// The first min(count, CAPACITY) samples that `draw` gives.
+#[inline]
+#[must_use]
+pub fn collect<const D: usize, const CAPACITY: usize>(
+    count: u32,
+    draw: impl FnMut(u32) -> [f32; D],
+) -> Pattern<D, CAPACITY> {
+    (0..count).map(draw).take(CAPACITY).collect()
+}

@@ -1,0 +1,84 @@
+//! The call shape that all samplers share, and the samplers.
+//!
+//! ```
+//! # #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))] {
+//! use bluedither::Dithered; // or any other: changing this one word compares two
+//!
+//! const LENS: u32 = 0; // a domain names what the numbers are for:
+//! const TIME: u32 = 1; // different domains are decorrelated
+//!
+//! let (seed, spp, frame) = (1, 4, 0);
+//! let sampler = Dithered::with_spp(seed, spp);
+//! for (x, y) in [(0, 0), (1, 0)] {
+//!     let pixel = sampler.pixel(x, y, frame);
+//!     for index in 0..spp {
+//!         let [u, v] = pixel.draw::<2>(LENS, index); // f32 in [0, 1)
+//!         let [t] = pixel.draw::<1>(TIME, index);
+//!         assert!(u < 1.0 && v < 1.0 && t < 1.0);
+//!     }
+//! }
+//! # }
+//! ```
+
+mod constant;
+mod dithered;
+mod white;
+
+pub use constant::Constant;
+pub use dithered::{Dithered, DitheredPixel};
+pub use white::{White, WhitePixel};
+
+/// The public draws of a pixel, made from its two private ones:
+/// `single_fx(domain, pad, index) -> u32` and `pair_fx(domain, pad, index) -> [u32; 2]`.
+///
+/// A macro and not a trait, so that a user needs no import and the docs of each sampler are whole.
+macro_rules! call_shape {
+    (impl[$($generics:tt)*] $pixel:ty) => {
+        impl<$($generics)*> $pixel {
+            /// Sample `index` for purpose `domain`: D = 1..4 numbers in 0.32 fixed point. More is a compile error.
+            ///
+            /// Components 0 and 1 are the optimised pair of the domain, 2 and 3 a padded second pair. This is the
+            /// definition; [`draw`](Self::draw) is derived from it.
+            #[inline]
+            #[must_use]
+            pub fn draw_fx<const D: usize>(self, domain: u32, index: u32) -> [u32; D] {
+                const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: draw more from further domains") };
+                let mut out = [0; D];
+                let mut k = 0;
+                while k < D {
+                    let pad = (k / 2) as u32 * $crate::sampler::PAD;
+                    if k + 1 < D {
+                        [out[k], out[k + 1]] = self.pair_fx(domain, pad, index);
+                    } else {
+                        out[k] = self.single_fx(domain, pad, index);
+                    }
+                    k += 2;
+                }
+                out
+            }
+
+            /// Sample `index` for purpose `domain`: D = 1..4 numbers in [0, 1). More is a compile error.
+            #[inline]
+            #[must_use]
+            pub fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
+                $crate::unit::to_f32s(self.draw_fx(domain, index))
+            }
+
+            /// The pixel's first `count` samples for purpose `domain` at once; at most `CAPACITY` of them.
+            #[cfg(feature = "pattern")]
+            #[inline]
+            #[must_use]
+            pub fn pattern<const D: usize, const CAPACITY: usize>(
+                self,
+                domain: u32,
+                count: u32,
+            ) -> $crate::pattern::Pattern<D, CAPACITY> {
+                $crate::pattern::collect(count, |index| self.draw(domain, index))
+            }
+        }
+    };
+}
+use call_shape;
+
+/// What a padded pair adds to the seed: a constant without a pattern, so that it meets no seed in use.
+const PAD: u32 = 0x5bd1_e995;

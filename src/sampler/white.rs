@@ -1,0 +1,56 @@
+//! The uncorrelated control: what every renderer has without this crate.
+
+use super::call_shape;
+use crate::{hash, sobol};
+
+/// Independent Owen-scrambled Sobol points in every pixel: the best per-pixel error, spread as white noise.
+#[derive(Clone, Copy, Debug)]
+pub struct White {
+    seed: u32,
+}
+
+impl White {
+    /// Progressive: the sequence goes on for as long as it is asked.
+    #[inline]
+    #[must_use]
+    pub const fn new(seed: u32) -> Self {
+        Self { seed }
+    }
+
+    /// The same as [`new`](Self::new); `spp` makes no difference.
+    #[inline]
+    #[must_use]
+    pub const fn with_spp(seed: u32, spp: u32) -> Self {
+        _ = spp;
+        Self::new(seed)
+    }
+
+    /// The samples of one pixel in one frame.
+    #[inline]
+    #[must_use]
+    pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> WhitePixel {
+        let row = hash::combine(hash::combine(self.seed, frame), y);
+        WhitePixel { seed: hash::combine(row, x) }
+    }
+}
+
+/// One pixel of [`White`].
+#[derive(Clone, Copy, Debug)]
+pub struct WhitePixel {
+    seed: u32,
+}
+
+impl WhitePixel {
+    #[inline]
+    const fn single_fx(self, domain: u32, pad: u32, index: u32) -> u32 {
+        self.pair_fx(domain, pad, index)[0]
+    }
+
+    #[inline]
+    const fn pair_fx(self, domain: u32, pad: u32, index: u32) -> [u32; 2] {
+        let seed = hash::combine(self.seed ^ pad, domain);
+        sobol::owen_point(hash::shuffle(index, seed), seed)
+    }
+}
+
+call_shape!(impl[] WhitePixel);

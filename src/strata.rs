@@ -1,0 +1,97 @@
+//! Strata: the unit interval or square cut into `count` cells of equal size, for any `count`.
+//!
+//! In 1D, cell c is [c/count, (c+1)/count). In 2D the square has round(√count) rows; row r holds cells
+//! ⌊r·count/rows⌋ up to ⌊(r+1)·count/rows⌋ and its height is its share of the cells, so every cell has area
+//! 1/count exactly, and a square count gives the regular grid. All values are 0.32 fixed point, rounded down; a
+//! `count` of 0 counts as 1 and a cell is taken modulo `count`.
+
+/// The point at `inside` ∈ [0, 1) of cell `cell`: ⌊(cell + inside)·2³²/count⌋, exactly. One 64-bit division.
+#[inline]
+#[must_use]
+pub const fn place_1d(cell: u32, count: u32, inside: u32) -> u32 {
+    let count = at_least_one(count);
+    let cell = cell % count;
+    low_word(((cell as u64) << 32 | inside as u64) / count as u64)
+}
+
+/// The point at `inside` ∈ [0, 1)² of cell `cell`. An integer root and five 64-bit divisions.
+#[inline]
+#[must_use]
+pub const fn place_2d(cell: u32, count: u32, inside: [u32; 2]) -> [u32; 2] {
+    let count = at_least_one(count) as u64;
+    let cell = cell as u64 % count;
+    let rows = rows(count);
+    // The last row r whose first cell ⌊r·count/rows⌋ is at most `cell`.
+    let row = ((cell + 1) * rows - 1) / count;
+    let first = row * count / rows;
+    let cells = (row + 1) * count / rows - first;
+    let x = ((cell - first) << 32 | inside[0] as u64) / cells;
+    let y = ((first << 32) + cells * inside[1] as u64) / count;
+    [low_word(x), low_word(y)]
+}
+
+/// Regular points: the corner of every cell, i/count.
+#[inline]
+#[must_use]
+pub const fn regular_1d(index: u32, count: u32) -> u32 {
+    place_1d(index, count, 0)
+}
+
+/// Regular points: the corner of every cell of the square.
+#[inline]
+#[must_use]
+pub const fn regular_2d(index: u32, count: u32) -> [u32; 2] {
+    place_2d(index, count, [0; 2])
+}
+
+/// Stratified (jittered) points: a random one in every cell.
+#[inline]
+#[must_use]
+pub const fn jittered_1d(index: u32, count: u32, seed: u32) -> u32 {
+    place_1d(index, count, crate::hash::combine(seed, index))
+}
+
+/// Stratified (jittered) points: a random one in every cell of the square.
+#[inline]
+#[must_use]
+pub const fn jittered_2d(index: u32, count: u32, seed: u32) -> [u32; 2] {
+    let x = crate::hash::combine(seed, index);
+    place_2d(index, count, [x, crate::hash::mix(x)])
+}
+
+/// A random order of the cells: a bijection of 0..count for every seed; `index` is taken modulo `count`.
+///
+/// For count = 2ᵐ an Owen-scrambled van der Corput sequence, so every run of 2ᵏ indices from a multiple of 2ᵏ on
+/// spreads over all 2ᵏ parts. For other counts numbers that fall outside are mapped again until they fall inside
+/// (cycle walking; less than two rounds in the mean).
+#[inline]
+#[must_use]
+pub const fn permute(index: u32, count: u32, seed: u32) -> u32 {
+    let count = at_least_one(count);
+    let bits = u32::BITS - (count - 1).leading_zeros();
+    if bits == 0 {
+        return 0;
+    }
+    let mut cell = index % count;
+    loop {
+        cell = crate::hash::laine_karras(cell, seed).reverse_bits() >> (32 - bits);
+        if cell < count {
+            return cell;
+        }
+    }
+}
+
+/// √count rounded to the nearest: r(r+1) is the first count that rounds up past r.
+const fn rows(count: u64) -> u64 {
+    let root = count.isqrt();
+    if count - root * root > root { root + 1 } else { root }
+}
+
+const fn at_least_one(count: u32) -> u32 {
+    if count == 0 { 1 } else { count }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "callers divide a number below count·2³² by count")]
+const fn low_word(value: u64) -> u32 {
+    value as u32
+}
