@@ -1,4 +1,99 @@
+//! Bakes the tables that the enabled features ask for, side by side, and writes them where `src/tables.rs` includes
+//! them. No mathematics here: see `src/bake`.
+
+// Dependents compile this unoptimised, whatever their profile says; the hot loops are written for that.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::std_instead_of_core,
+    unreachable_pub,
+    reason = "runs on the host, and shares modules with the library"
+)]
+
+#[path = "src/bake/mod.rs"]
+#[allow(dead_code, reason = "tests use the rest")]
+mod bake;
+#[path = "src/effort.rs"]
+mod effort;
+#[path = "src/hash.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod hash;
+#[path = "src/sobol.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod sobol;
+#[path = "src/strata.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod strata;
+
+use std::path::Path;
+use std::time::Instant;
+
+use bake::inputs::Inputs;
+use bake::recipe::Recipe;
+use bake::record::Digests;
+use effort::Effort;
+use rayon::prelude::*;
+
 fn main() {
-    let out = std::env::var("OUT_DIR").unwrap();
-    std::fs::write(format!("{out}/tables.rs"), "/// t\npub static THRESHOLD_64: ScalarMask<64> = ScalarMask::new([[0; 64]; 64]);\n/// t\npub static OFFSET_2D_64: VectorMask<2, 64> = VectorMask::new([[[0; 2]; 64]; 64]);\n").unwrap();
+    println!("cargo:rerun-if-changed=tables");
+    println!("cargo:rerun-if-env-changed=BLUEDITHER_EFFORT");
+    if let Err(line) = run() {
+        println!("cargo::error={line}");
+    }
+}
+
+fn run() -> Result<(), String> {
+    let effort = chosen_effort()?;
+    let recipes: Vec<Recipe> = bake::recipe::all().into_iter().filter(|recipe| asked_for(*recipe)).collect();
+    let mut text = bake::embed::effort(effort);
+    // Without tables nothing is read: that is how damaged inputs can be recorded anew.
+    if !recipes.is_empty() {
+        text += &bake_all(&recipes, effort)?;
+    }
+    let path = Path::new(&var("OUT_DIR")).join("tables.rs");
+    std::fs::write(&path, text).map_err(|error| format!("{} cannot be written ({error})", path.display()))
+}
+
+fn bake_all(recipes: &[Recipe], effort: Effort) -> Result<String, String> {
+    let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
+    let digests = Digests::read(&tables)?;
+    let inputs = Inputs::read(&tables, &digests)?;
+    use_as_many_threads_as_cargo();
+    let start = Instant::now();
+    let texts: Vec<String> = recipes.par_iter().map(|&recipe| bake_one(recipe, effort, &inputs, &digests)).collect();
+    println!("baked {} tables at {} effort in {} ms", recipes.len(), effort.name(), start.elapsed().as_millis());
+    Ok(texts.concat())
+}
+
+/// The text of a table; what it cost and how good it is goes to the log (`cargo build -vv`).
+fn bake_one(recipe: Recipe, effort: Effort, inputs: &Inputs, digests: &Digests) -> String {
+    let start = Instant::now();
+    let ranks = recipe.bake(effort, inputs);
+    let time = start.elapsed().as_millis();
+    let name = recipe.name();
+    let gain = bake::quality::gain(&ranks, recipe.channels(), recipe.size());
+    println!("baked {name}: {} bytes, {time} ms, gain {gain:.3} at sigma 1 (white is 1)", recipe.bytes());
+    if digests.get(effort.name(), &name) != Some(bake::digest::of_ranks(&ranks)) {
+        println!("cargo:warning={name} differs from its recorded digest: renders will not match other builds' bits");
+    }
+    bake::embed::table(recipe, effort, &ranks)
+}
+
+fn chosen_effort() -> Result<Effort, String> {
+    let Some(word) = std::env::var_os("BLUEDITHER_EFFORT") else { return Ok(Effort::Normal) };
+    let found = Effort::ALL.into_iter().find(|effort| word == effort.name());
+    found.ok_or_else(|| format!("BLUEDITHER_EFFORT is {word:?}: set it to quick, normal or thorough, or unset it"))
+}
+
+fn asked_for(recipe: Recipe) -> bool {
+    std::env::var_os(format!("CARGO_FEATURE_{}", recipe.name().to_uppercase())).is_some()
+}
+
+fn use_as_many_threads_as_cargo() {
+    let jobs = var("NUM_JOBS").parse().unwrap_or(1);
+    // Fails only where a pool exists already, which then serves as well.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(jobs).build_global();
+}
+
+fn var(name: &str) -> String {
+    std::env::var(name).unwrap_or_else(|_| panic!("cargo sets {name} for build scripts"))
 }

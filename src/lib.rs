@@ -1,6 +1,7 @@
 //! Blue-noise dithered sampling.
 #![no_std]
 
+pub mod effort;
 pub mod hash;
 pub mod mask;
 #[cfg(feature = "pattern")]

@@ -1,5 +1,8 @@
 //! The one place that embeds what build.rs baked. A table exists where its feature is on.
 
+#[allow(unused_imports, reason = "without a mask feature there is no mask")]
 use crate::mask::{ScalarMask, VectorMask};
+
+pub use crate::effort::Effort;
 
 include!(concat!(env!("OUT_DIR"), "/tables.rs"));

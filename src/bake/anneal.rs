@@ -1,0 +1,214 @@
+//! The feature-field annealer: swaps the items of a tile until the error of rendered pixels is blue noise.
+//!
+//! Every item (a mask value) has a vector f of errors that a pixel would make with it, see [`features`](super::features).
+//! The energy Σ_{p≠q} w(p−q)⟨f_p, f_q⟩ with w = exp(−r²/2.1²) is, up to a constant, the power of the error image
+//! after a Gaussian of standard deviation 2.1/2 pixels. (Georgiev and Fajardo 2016 swap pixels too, but by a kernel
+//! of the distance of their values, which is a poor proxy of that power.)
+//!
+//! ```text
+//! field F = w ∗ f, with w(0) = 0
+//! repeat: two pixels p, q at random, not in each other's window
+//!     Δ = (f_q − f_p)·(F_p − F_q)        half the change of the energy if their items swap
+//!     Δ < threshold: swap, and update F around both
+//! ```
+//! Threshold accepting (Dueck and Scheuer 1990) ends where Metropolis does and needs no logarithm. All numbers are
+//! integers: the same tile on every machine. For two threads the rows are rotated and cut into two halves, each of
+//! which swaps only pixels whose window lies inside.
+
+use rand::rngs::Xoshiro256PlusPlus;
+use rand::{Rng, SeedableRng};
+
+/// Numbers in a feature vector, in rows that are unrolled by hand: this runs unoptimised in builds of dependents.
+pub const LANES: usize = 32;
+/// A feature vector. Magnitudes up to 63 and weights up to 128 keep every sum below within an `i32`.
+pub type Features = [[i32; 8]; LANES / 8];
+/// The window reaches this far: beyond, 128·exp(−r²/2.1²) rounds to 0.
+pub const RADIUS: usize = 4;
+
+const PHASES: u32 = 96;
+const SCREEN: i32 = 2;
+
+/// Swaps the items of a tile of 2^`size_log2` squared pixels and returns the item of every pixel, row by row.
+///
+/// Item i has `features[i]`; `kernel[r²]` are the weights. `proposals` swaps a pixel are tried.
+pub fn anneal(size_log2: u32, features: &[Features], kernel: &[i32], proposals: u32, seed: u64) -> Vec<u16> {
+    let size = 1usize << size_log2;
+    let window = Window::new(kernel);
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+    let mut items = shuffled(features.len(), &mut rng);
+    let mut field = vec![[[0; 8]; LANES / 8]; items.len()];
+    for pixel in 0..items.len() {
+        window.splat(&mut field, size_log2, size, pixel, &features[items[pixel] as usize], 1);
+    }
+
+    // Halves of a tile below 64 pixels would hardly have an inside.
+    let halves = if size < 64 { 1 } else { 2 };
+    let rows = size / halves;
+    let margin = if halves == 1 { 0 } else { RADIUS };
+    let tries = (proposals as usize * items.len() / halves / PHASES as usize) as u32;
+    let mut threshold = first_threshold(features, kernel[0]);
+    for _ in 0..PHASES {
+        let turn = (rng.next_u64() >> (64 - size_log2)) as usize * size;
+        items.rotate_left(turn);
+        field.rotate_left(turn);
+        let seeds = [rng.next_u64(), rng.next_u64()];
+        let (items_a, items_b) = items.split_at_mut(rows * size);
+        let (field_a, field_b) = field.split_at_mut(rows * size);
+        let mut a = Part { items: items_a, field: field_a, size_log2, rows, margin };
+        let mut b = Part { items: items_b, field: field_b, size_log2, rows, margin };
+        let sweep = |part: &mut Part<'_>, seed| part.sweep(features, &window, threshold, tries, seed);
+        if halves == 1 {
+            sweep(&mut a, seeds[0]);
+        } else {
+            rayon::join(|| sweep(&mut a, seeds[0]), || sweep(&mut b, seeds[1]));
+        }
+        threshold = next_threshold(threshold);
+    }
+    items
+}
+
+/// The threshold starts at .065 of a pixel's own power w(0)‖f‖² and ends at .0033 of it, falling geometrically.
+fn first_threshold(features: &[Features], weight: i32) -> i32 {
+    let power: i64 = features.iter().flatten().flatten().map(|&f| i64::from(f * f)).sum();
+    (power * i64::from(weight) / features.len() as i64 * 65 / 1000) as i32
+}
+
+fn next_threshold(threshold: i32) -> i32 {
+    // (.0033/.065)^(1/95) of the last one.
+    (i64::from(threshold) * 63_509 >> 16) as i32
+}
+
+fn shuffled(count: usize, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
+    let mut items: Vec<u16> = (0..count).map(|i| i as u16).collect();
+    for i in (1..count).rev() {
+        let j = ((rng.next_u64() >> 32) * (i as u64 + 1)) >> 32;
+        items.swap(i, j as usize);
+    }
+    items
+}
+
+/// Some rows of the tile. `margin` rows at both ends stay as they are, or, without a margin, the rows wrap.
+struct Part<'a> {
+    items: &'a mut [u16],
+    field: &'a mut [Features],
+    size_log2: u32,
+    rows: usize,
+    margin: usize,
+}
+
+impl Part<'_> {
+    fn sweep(&mut self, features: &[Features], window: &Window, threshold: i32, tries: u32, seed: u64) {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        // What the lanes after the first eight take off a Δ now and then.
+        let screen = threshold * SCREEN;
+        let mut tried = 0;
+        while tried < tries {
+            tried += 1;
+            let bits = rng.next_u64();
+            let (p, q) = (self.pixel(bits as u32), self.pixel((bits >> 32) as u32));
+            if near(p, q, self.size_log2, self.rows) {
+                continue;
+            }
+            let (f_p, f_q) = (&features[self.items[p] as usize], &features[self.items[q] as usize]);
+            let (at_p, at_q) = (&self.field[p], &self.field[q]);
+            let mut delta = part(&f_p[0], &f_q[0], &at_p[0], &at_q[0]);
+            if delta > screen {
+                continue;
+            }
+            delta += part(&f_p[1], &f_q[1], &at_p[1], &at_q[1])
+                + part(&f_p[2], &f_q[2], &at_p[2], &at_q[2])
+                + part(&f_p[3], &f_q[3], &at_p[3], &at_q[3]);
+            if delta < threshold {
+                let change = difference(f_p, f_q);
+                window.splat(self.field, self.size_log2, self.rows, p, &change, 1);
+                window.splat(self.field, self.size_log2, self.rows, q, &change, -1);
+                self.items.swap(p, q);
+            }
+        }
+    }
+
+    /// A pixel between the margins from 32 random bits.
+    fn pixel(&self, bits: u32) -> usize {
+        let rows = self.rows - 2 * self.margin;
+        let y = self.margin + ((bits >> 16) as usize * rows >> 16);
+        let x = bits as usize & ((1 << self.size_log2) - 1);
+        y << self.size_log2 | x
+    }
+}
+
+#[inline]
+fn part(f_p: &[i32; 8], f_q: &[i32; 8], at_p: &[i32; 8], at_q: &[i32; 8]) -> i32 {
+    (f_q[0] - f_p[0]) * (at_p[0] - at_q[0])
+        + (f_q[1] - f_p[1]) * (at_p[1] - at_q[1])
+        + (f_q[2] - f_p[2]) * (at_p[2] - at_q[2])
+        + (f_q[3] - f_p[3]) * (at_p[3] - at_q[3])
+        + (f_q[4] - f_p[4]) * (at_p[4] - at_q[4])
+        + (f_q[5] - f_p[5]) * (at_p[5] - at_q[5])
+        + (f_q[6] - f_p[6]) * (at_p[6] - at_q[6])
+        + (f_q[7] - f_p[7]) * (at_p[7] - at_q[7])
+}
+
+fn difference(f_p: &Features, f_q: &Features) -> Features {
+    let mut change = *f_q;
+    for (row, old) in change.iter_mut().zip(f_p) {
+        for (a, b) in row.iter_mut().zip(old) {
+            *a -= b;
+        }
+    }
+    change
+}
+
+/// Whether each pixel is in the other's window, on the torus of `rows` rows (or is the other).
+fn near(p: usize, q: usize, size_log2: u32, rows: usize) -> bool {
+    let size = 1 << size_log2;
+    let dx = (p & (size - 1)).wrapping_sub(q & (size - 1)).wrapping_add(RADIUS) & (size - 1);
+    let dy = (p >> size_log2).wrapping_sub(q >> size_log2).wrapping_add(RADIUS) & (rows - 1);
+    dx <= 2 * RADIUS && dy <= 2 * RADIUS
+}
+
+/// The weights around a pixel, without the pixel itself.
+struct Window {
+    cells: Vec<(usize, usize, i32)>,
+}
+
+impl Window {
+    fn new(kernel: &[i32]) -> Self {
+        let mut cells = Vec::new();
+        for dy in 0..2 * RADIUS + 1 {
+            for dx in 0..2 * RADIUS + 1 {
+                let (x, y) = (dx.abs_diff(RADIUS), dy.abs_diff(RADIUS));
+                let weight = kernel.get(x * x + y * y).copied().unwrap_or(0);
+                if weight != 0 && x + y != 0 {
+                    cells.push((dx.wrapping_sub(RADIUS), dy.wrapping_sub(RADIUS), weight));
+                }
+            }
+        }
+        Self { cells }
+    }
+
+    /// Adds `sign`·w·`change` to the field around a pixel.
+    fn splat(&self, field: &mut [Features], size_log2: u32, rows: usize, pixel: usize, change: &Features, sign: i32) {
+        let mask = (1 << size_log2) - 1;
+        let (x, y) = (pixel & mask, pixel >> size_log2);
+        let mut c = 0;
+        while c < self.cells.len() {
+            let (dx, dy, weight) = self.cells[c];
+            c += 1;
+            let cell = &mut field[(y.wrapping_add(dy) & (rows - 1)) << size_log2 | (x.wrapping_add(dx) & mask)];
+            let weight = sign * weight;
+            let mut k = 0;
+            while k < LANES / 8 {
+                let (to, by) = (&mut cell[k], &change[k]);
+                to[0] += weight * by[0];
+                to[1] += weight * by[1];
+                to[2] += weight * by[2];
+                to[3] += weight * by[3];
+                to[4] += weight * by[4];
+                to[5] += weight * by[5];
+                to[6] += weight * by[6];
+                to[7] += weight * by[7];
+                k += 1;
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The text that the library includes: typed arrays, right in alignment and byte order on every target, whose wrong
+//! length would not compile.
+
+use core::fmt::Write as _;
+
+use super::recipe::{Kind, Recipe};
+use crate::effort::Effort;
+
+/// The constant that says at which level the tables below were baked.
+pub fn effort(effort: Effort) -> String {
+    format!(
+        "/// The level at which the tables were baked.\n\
+         pub const EFFORT: Effort = Effort::{effort:?};\n"
+    )
+}
+
+/// One `static` of the table's type, with its docs.
+pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
+    let size = recipe.size();
+    let (what, mask) = match recipe.kind {
+        Kind::Threshold => ("Threshold mask (void-and-cluster)", format!("ScalarMask<{size}>")),
+        Kind::Offset1d => ("Offset mask of one channel", format!("ScalarMask<{size}>")),
+        Kind::Offset2d => ("Offset mask of two channels", format!("VectorMask<2, {size}>")),
+    };
+    let mut text = format!(
+        "/// {what}, {size}×{size} pixels, {} bytes, baked at {} effort.\n\
+         pub static {}: {mask} = {}::new([\n",
+        recipe.bytes(),
+        effort.name(),
+        recipe.name().to_uppercase(),
+        mask.replace('<', "::<"),
+    );
+    for row in ranks.chunks(size * recipe.channels()) {
+        text.push('[');
+        for pixel in row.chunks(recipe.channels()) {
+            match pixel {
+                [rank] => write!(text, "{rank},"),
+                _ => write!(text, "{pixel:?},"),
+            }
+            .expect("a String grows");
+        }
+        text.push_str("],\n");
+    }
+    text.push_str("]);\n");
+    text
+}

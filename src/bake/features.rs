@@ -1,0 +1,67 @@
+//! The feature vectors of mask values: the errors that a pixel with that value makes on a basis of integrands.
+//!
+//! The basis is Π cos(π k_j x_j). A feature is the error of one basis function, estimated with the first n points of
+//! the pattern that ships (i/n in one dimension, Sobol points in two) moved by the value; n = 1, 4 and 16 at once.
+//! Weights fall as |k|^−(d+1)/2, the decay of integrands with edges, and every n has its share of the total. The 32
+//! columns of largest variance and their weights are kept in `tables/`; a test derives them again. All coefficients
+//! of the kernel that this amounts to are positive, so no frequency is ever rewarded for being loud.
+
+use super::anneal::{Features, LANES};
+use crate::{sobol, strata};
+
+/// One feature: basis function k, number of samples, and 2²⁴·weight/2¹⁴ of a sum of `samples` cosine products.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Samples a pixel, n.
+    pub samples: u32,
+    /// Half-periods along x and y.
+    pub k: [u32; 2],
+    /// Scale of the sum of n products of two cosines of 2.14 fixed point each.
+    pub weight: i64,
+}
+
+/// The values that a mask of 2^`size_log2` squared pixels holds, as ranks: all of them in one channel, the first S²
+/// Sobol points in two, which are a net and in each channel a permutation. (One channel leaves the second at 0.)
+pub fn value_set(channels: usize, size_log2: u32) -> Vec<[u16; 2]> {
+    let rank = |value_fx: u32| (value_fx >> (32 - 2 * size_log2)) as u16;
+    let value = |i: u32| if channels == 1 { [i as u16, 0] } else { sobol::point(i).map(rank) };
+    (0..1 << (2 * size_log2)).map(value).collect()
+}
+
+/// One feature vector for every value of the set. `cosine` is a quarter of a wave in 256 steps, 2.14 fixed point.
+pub fn vectors(set: &[[u16; 2]], channels: usize, size_log2: u32, columns: &[Column], cosine: &[i32]) -> Vec<Features> {
+    let mut vectors = vec![[[0; 8]; LANES / 8]; set.len()];
+    for (lane, column) in columns.iter().enumerate() {
+        let pattern: Vec<[u32; 2]> = (0..column.samples).map(|i| pattern(channels, i, column.samples)).collect();
+        for (value, vector) in set.iter().zip(&mut vectors) {
+            let offset = value.map(|rank| (2 * u32::from(rank) + 1) << (31 - 2 * size_log2));
+            let mut sum = 0;
+            let mut i = 0;
+            while i < pattern.len() {
+                let x = cos_pi(column.k[0], pattern[i][0].wrapping_add(offset[0]), cosine);
+                let y = cos_pi(column.k[1], pattern[i][1].wrapping_add(offset[1]), cosine);
+                sum += (x * y) >> 14;
+                i += 1;
+            }
+            vector[lane / 8][lane % 8] = ((i64::from(sum) * column.weight + (1 << 23)) >> 24) as i32;
+        }
+    }
+    vectors
+}
+
+/// Point i of n of the pattern that offsets move.
+fn pattern(channels: usize, i: u32, samples: u32) -> [u32; 2] {
+    if channels == 1 { [strata::regular_1d(i, samples), 0] } else { sobol::point(i) }
+}
+
+/// cos(π k x) for 0.32 fixed-point x.
+fn cos_pi(k: u32, x: u32, cosine: &[i32]) -> i32 {
+    // The phase in 1024 steps a period; x is half of one for k = 1.
+    let phase = ((u64::from(k) * u64::from(x) + (1 << 22)) >> 23 & 1023) as usize;
+    match phase >> 8 {
+        0 => cosine[phase],
+        1 => -cosine[512 - phase],
+        2 => -cosine[phase - 512],
+        _ => cosine[1024 - phase],
+    }
+}

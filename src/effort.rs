@@ -1,0 +1,29 @@
+//! How long build.rs optimises.
+
+/// The level that the environment variable `BLUEDITHER_EFFORT` asked for when the crate was built.
+///
+/// Masks differ between levels, and are the same on every machine within one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// `quick`: a tenth of the time, for iterating and for emulated hosts.
+    Quick,
+    /// `normal`, the default: half a second for the default features.
+    Normal,
+    /// `thorough`: twenty times as long, about a tenth less error from the offset masks.
+    Thorough,
+}
+
+impl Effort {
+    /// All levels, least first.
+    pub const ALL: [Self; 3] = [Self::Quick, Self::Normal, Self::Thorough];
+
+    /// The word that selects it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Quick => "quick",
+            Self::Normal => "normal",
+            Self::Thorough => "thorough",
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! No table without a check: every input is derived again from its formula and every table baked again, and both are
+//! held against `tables/`. `write_tables` writes them anew after a recipe was changed on purpose.
+
+#![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "a test on the host")]
+#![allow(unreachable_pub, dead_code, reason = "shares the bake with build.rs")]
+
+use core::cmp::Reverse;
+use std::path::PathBuf;
+
+use bluedither::{effort, hash, sobol, strata};
+
+#[path = "../src/bake/mod.rs"]
+mod bake;
+
+use bake::anneal::LANES;
+use bake::features::Column;
+use bake::inputs::{ANNEAL, COSINE, Inputs, VOID_AND_CLUSTER};
+use bake::recipe::Recipe;
+use bake::record::Digests;
+use effort::Effort;
+use rayon::prelude::*;
+
+fn tables() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables")
+}
+
+fn recorded() -> (Digests, Inputs) {
+    let digests = Digests::read(&tables()).expect("digests");
+    let inputs = Inputs::read(&tables(), &digests).expect("inputs");
+    (digests, inputs)
+}
+
+fn check(effort: Effort) {
+    let (digests, inputs) = recorded();
+    let differing: Vec<String> = bake::recipe::all()
+        .into_par_iter()
+        .filter(|recipe| {
+            let digest = bake::digest::of_ranks(&recipe.bake(effort, &inputs));
+            digests.get(effort.name(), &recipe.name()) != Some(digest)
+        })
+        .map(Recipe::name)
+        .collect();
+    assert!(differing.is_empty(), "not what tables/digests.txt says at {} effort: {differing:?}", effort.name());
+}
+
+#[test]
+fn quick_tables_are_as_recorded() {
+    check(Effort::Quick);
+}
+
+#[test]
+fn normal_tables_are_as_recorded() {
+    check(Effort::Normal);
+}
+
+#[test]
+#[ignore = "bakes for a minute"]
+fn thorough_tables_are_as_recorded() {
+    check(Effort::Thorough);
+}
+
+/// What this build embedded is what it should have baked, whatever its optimisation level and threads.
+#[test]
+fn embedded_tables_are_as_recorded() {
+    let (digests, _) = recorded();
+    for (name, ranks) in embedded() {
+        let recorded = digests.get(bluedither::tables::EFFORT.name(), name);
+        assert_eq!(recorded, Some(bake::digest::of_ranks(&ranks)), "{name}");
+    }
+}
+
+fn embedded() -> Vec<(&'static str, Vec<u16>)> {
+    #[allow(unused_mut, reason = "without a mask feature there is no mask")]
+    let mut all = Vec::new();
+    macro_rules! table {
+        ($feature:literal, $name:literal, $table:ident, scalar) => {
+            #[cfg(feature = $feature)]
+            all.push(($name, bluedither::tables::$table.ranks().as_flattened().to_vec()));
+        };
+        ($feature:literal, $name:literal, $table:ident, vector) => {
+            #[cfg(feature = $feature)]
+            all.push(($name, bluedither::tables::$table.ranks().as_flattened().as_flattened().to_vec()));
+        };
+    }
+    table!("threshold-16", "threshold_16", THRESHOLD_16, scalar);
+    table!("threshold-32", "threshold_32", THRESHOLD_32, scalar);
+    table!("threshold-64", "threshold_64", THRESHOLD_64, scalar);
+    table!("threshold-128", "threshold_128", THRESHOLD_128, scalar);
+    table!("threshold-256", "threshold_256", THRESHOLD_256, scalar);
+    table!("offset-1d-16", "offset_1d_16", OFFSET_1D_16, scalar);
+    table!("offset-1d-32", "offset_1d_32", OFFSET_1D_32, scalar);
+    table!("offset-1d-64", "offset_1d_64", OFFSET_1D_64, scalar);
+    table!("offset-1d-128", "offset_1d_128", OFFSET_1D_128, scalar);
+    table!("offset-2d-16", "offset_2d_16", OFFSET_2D_16, vector);
+    table!("offset-2d-32", "offset_2d_32", OFFSET_2D_32, vector);
+    table!("offset-2d-64", "offset_2d_64", OFFSET_2D_64, vector);
+    table!("offset-2d-128", "offset_2d_128", OFFSET_2D_128, vector);
+    all
+}
+
+#[test]
+fn threads_make_no_difference() {
+    let (_, inputs) = recorded();
+    let bake_all = || -> Vec<Vec<u16>> {
+        bake::recipe::all().par_iter().map(|recipe| recipe.bake(Effort::Quick, &inputs)).collect()
+    };
+    let with =
+        |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool").install(bake_all);
+    assert_eq!(with(1), with(3));
+}
+
+#[test]
+fn inputs_are_their_formulas() {
+    let (_, inputs) = recorded();
+    assert_eq!(inputs, derived());
+}
+
+fn derived() -> Inputs {
+    let list =
+        |(_, count, entry): (&str, usize, fn(f64) -> f64)| (0..count).map(move |i| libm::round(entry(i as f64)) as i32);
+    Inputs {
+        void_and_cluster_kernel: list(VOID_AND_CLUSTER).collect(),
+        anneal_kernel: list(ANNEAL).collect(),
+        cosine: list(COSINE).collect(),
+        features_1d: columns(1, 48, [1.0, 0.3, 0.1]),
+        features_2d: columns(2, 12, [1.0, 0.6, 0.4]),
+    }
+}
+
+/// The 32 columns of largest variance over a 64² value set, the largest first. `shares` are the variances that the
+/// errors at 1, 4 and 16 samples get in total.
+fn columns(channels: usize, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
+    let set: Vec<[f64; 2]> = bake::features::value_set(channels, 6)
+        .iter()
+        .map(|value| value.map(|rank| (f64::from(rank) + 0.5) / 4096.0))
+        .collect();
+    let mut all: Vec<(f64, f64, Column)> = Vec::new();
+    for (samples, share) in [1u32, 4, 16].into_iter().zip(shares) {
+        let mut block = Vec::new();
+        for kx in 0..=k_max {
+            for ky in 0..=if channels == 1 { 0 } else { k_max } {
+                let k_squared = f64::from(kx * kx + ky * ky);
+                if k_squared == 0.0 {
+                    continue;
+                }
+                let weight = libm::pow(k_squared, -(channels as f64 + 1.0) / 4.0);
+                let power =
+                    set.iter().map(|&v| libm::pow(weight * error(channels, samples, [kx, ky], v), 2.0)).sum::<f64>();
+                block.push((power / set.len() as f64, weight, [kx, ky]));
+            }
+        }
+        let scale = share / block.iter().map(|column| column.0).sum::<f64>();
+        for (variance, weight, k) in block {
+            let column = Column { samples, k, weight: 0 };
+            all.push((variance * scale, weight * scale.sqrt() / f64::from(samples), column));
+        }
+    }
+    // Mirrored columns have equal variances: their order must not hang on a last digit.
+    all.sort_by_key(|(variance, _, column)| (Reverse((variance * 1e9) as u64), column.samples, column.k));
+    all.truncate(LANES);
+    // The largest feature becomes 63: sums of products of two cosines in 2.14 fixed point, times this, over 2^24.
+    let largest = |(_, scale, column): &(f64, f64, Column)| {
+        let errors = set.iter().map(|&v| error(channels, column.samples, column.k, v).abs());
+        errors.fold(0.0, f64::max) * scale * f64::from(column.samples)
+    };
+    let unit = 63.0 * 1024.0 / all.iter().map(largest).fold(0.0, f64::max);
+    all.into_iter().map(|(_, scale, column)| Column { weight: libm::round(scale * unit) as i64, ..column }).collect()
+}
+
+/// The error of the mean of Π cos(π k_j x_j) over the pattern's first points, moved by `value`.
+fn error(channels: usize, samples: u32, k: [u32; 2], value: [f64; 2]) -> f64 {
+    let term = |i: u32| -> f64 {
+        let point = if channels == 1 {
+            [f64::from(i) / f64::from(samples), 0.0]
+        } else {
+            sobol::point(i).map(|x| f64::from(x) / 4_294_967_296.0)
+        };
+        (0..2)
+            .map(|j| {
+                let x = point[j] + value[j];
+                libm::cos(core::f64::consts::PI * f64::from(k[j]) * (x - x.floor()))
+            })
+            .product()
+    };
+    (0..samples).map(term).sum::<f64>() / f64::from(samples)
+}
+
+#[test]
+#[ignore = "writes tables/"]
+fn write_tables() {
+    let inputs = derived();
+    let mut digests = Digests::default();
+    let mut input = |name: &str, head: &str, numbers: Vec<i64>, columns: usize| {
+        digests.lines.push(("input".into(), name.into(), bake::digest::digest(numbers.iter().copied())));
+        let rows =
+            numbers.chunks(columns).map(|row| row.iter().map(i64::to_string).collect::<Vec<_>>().join(" ") + "\n");
+        let text = head.lines().map(|line| format!("# {line}\n")).chain(rows).collect::<String>();
+        std::fs::write(tables().join(format!("{name}.txt")), text).expect("tables/ can be written");
+    };
+    let wide = |list: &[i32]| list.iter().map(|&v| i64::from(v)).collect::<Vec<_>>();
+    let flat = |list: &[Column]| {
+        let row = |c: &Column| [i64::from(c.samples), i64::from(c.k[0]), i64::from(c.k[1]), c.weight];
+        list.iter().flat_map(row).collect::<Vec<_>>()
+    };
+    let derivation = "Written and checked by tests/rebake.rs.";
+    let formula = |what: &str| format!("{what}\n{derivation}");
+    input(
+        VOID_AND_CLUSTER.0,
+        &formula("round(2^20 * exp(-r2 / (2 * 1.5^2))) at squared distance r2 = 0, 1, 2, ... (Ulichney 1993)."),
+        wide(&inputs.void_and_cluster_kernel),
+        11,
+    );
+    input(
+        ANNEAL.0,
+        &formula("round(128 * exp(-r2 / 2.1^2)) at squared distance r2 = 0, 1, 2, ... (Georgiev and Fajardo 2016)."),
+        wide(&inputs.anneal_kernel),
+        5,
+    );
+    input(COSINE.0, &formula("round(2^14 * cos(pi * i / 512)), i = 0..=256."), wide(&inputs.cosine), 16);
+    for (name, columns) in [("features_1d", &inputs.features_1d), ("features_2d", &inputs.features_2d)] {
+        let head =
+            "samples, kx, ky, weight: the features of the annealer (src/bake/features.rs), largest variance first.";
+        input(name, &formula(head), flat(columns), 4);
+    }
+    for effort in Effort::ALL {
+        let recipes = bake::recipe::all();
+        let baked: Vec<u64> =
+            recipes.par_iter().map(|recipe| bake::digest::of_ranks(&recipe.bake(effort, &inputs))).collect();
+        for (recipe, digest) in recipes.iter().zip(baked) {
+            digests.lines.push((effort.name().into(), recipe.name(), digest));
+        }
+    }
+    std::fs::write(tables().join("digests.txt"), digests.text()).expect("tables/ can be written");
+}
