@@ -1,4 +1,82 @@
-//! Blue-noise dithered sampling.
+//! Random numbers for renderers, chosen per pixel so that the error left in the picture is *blue noise*:
+//! high-frequency, evenly spread, the least visible to the eye and the easiest to denoise.
+//!
+//! No `std`, no allocation, no `unsafe`, no state: every number is a pure function of (tables, pixel, frame, domain,
+//! index), the same on every machine and thread. `build.rs` optimises the tables; the library looks them up.
+//!
+//! # Limits
+//! - Masks pay off at 1 to 16 samples per pixel and where the picture is smooth over a few pixels; with more samples,
+//!   or at edges and in fine texture, the error turns white. It is never larger than that of the same points
+//!   distributed as white noise.
+//! - A tile of S×S pixels repeats: 64×64 by default.
+//! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white.
+//! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
+//!
+//! # The pixel loop
+//! ```
+//! # #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))] {
+//! use bluedither::Dithered;
+//!
+//! const LENS: u32 = 0; // a domain names what the numbers are for:
+//! const TIME: u32 = 1; // different domains are decorrelated
+//!
+//! let (seed, spp, frame) = (1, 4, 0);
+//! let sampler = Dithered::with_spp(seed, spp);
+//! for (x, y) in [(0, 0), (1, 0)] {
+//!     let pixel = sampler.pixel(x, y, frame);
+//!     for index in 0..spp {
+//!         let [u, v] = pixel.draw::<2>(LENS, index); // f32 in [0, 1)
+//!         let [t] = pixel.draw::<1>(TIME, index);
+//!         assert!(u < 1.0 && v < 1.0 && t < 1.0);
+//!     }
+//! }
+//! # }
+//! ```
+//! [`White`] and [`Constant`] have the same shape: change the one word to compare.
+//!
+//! # What to use when
+//! | you have | take |
+//! |---|---|
+//! | a renderer, 1–16 samples per pixel | [`Dithered::with_spp`] |
+//! | a renderer that stops when it likes | [`Dithered::new`] |
+//! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
+//! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
+//! | your own masks | [`ScalarMask::new`], [`VectorMask::new`], [`Dithered::with_masks`] |
+//! | a shader | `bytes()` of a mask (feature `bytemuck`), looked up as in [`mask`] |
+//!
+//! # Features
+//! A table is baked only if its feature is on, and linked only if it is used. Features add items and change no value.
+//!
+//! | feature | table | bytes |
+//! |---|---|---|
+//! | `threshold-16` | void-and-cluster, one channel | 512 |
+//! | `threshold-32` | | 2,048 |
+//! | `threshold-64` (default) | | 8,192 |
+//! | `threshold-128` | | 32,768 |
+//! | `threshold-256` | | 131,072 |
+//! | `offset-1d-16` | offsets, one channel, good at 1, 4 and 16 samples | 512 |
+//! | `offset-1d-32` | | 2,048 |
+//! | `offset-1d-64` | | 8,192 |
+//! | `offset-1d-128` | | 32,768 |
+//! | `offset-2d-16` | offsets, two channels, good at 1, 4 and 16 samples | 1,024 |
+//! | `offset-2d-32` | | 4,096 |
+//! | `offset-2d-64` (default) | | 16,384 |
+//! | `offset-2d-128` | | 65,536 |
+//! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
+//! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
+//! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
+//!
+//! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
+//! [`sobol`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`], [`White`], [`Constant`], and masks of your own.
+//!
+//! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
+//! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.
+//!
+//! # Vocabulary
+//! *rank*: position of a pixel in a mask's order · *shift*: of values, modulo 1 · *offset*: of coordinates, toroidal;
+//! also, as in the literature, the shift that a mask holds · *scramble*: bits · *permute*, *shuffle*: order ·
+//! *domain*: purpose of a draw · *index*: sample number · *frame*: time · *bake*: optimise and write.
+//! Postfixes: `_fx` 0.32 fixed point, `_log2`, `_rev` bit-reversed.
 #![no_std]
 
 pub mod effort;

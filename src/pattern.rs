@@ -8,7 +8,13 @@ pub type Pattern<const D: usize, const CAPACITY: usize> = heapless::Vec<[f32; D]
 #[must_use]
 pub fn collect<const D: usize, const CAPACITY: usize>(
     count: u32,
-    draw: impl FnMut(u32) -> [f32; D],
+    mut draw: impl FnMut(u32) -> [f32; D],
 ) -> Pattern<D, CAPACITY> {
-    (0..count).map(draw).take(CAPACITY).collect()
+    let mut pattern = Pattern::new();
+    for index in 0..count {
+        if pattern.push(draw(index)).is_err() {
+            break; // full
+        }
+    }
+    pattern
 }

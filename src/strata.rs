@@ -24,7 +24,7 @@ pub const fn place_2d(cell: u32, count: u32, inside: [u32; 2]) -> [u32; 2] {
     // The last row r whose first cell ⌊r·count/rows⌋ is at most `cell`.
     let row = ((cell + 1) * rows - 1) / count;
     let first = row * count / rows;
-    let cells = (row + 1) * count / rows - first;
+    let cells = not_zero((row + 1) * count / rows - first);
     let x = ((cell - first) << 32 | inside[0] as u64) / cells;
     let y = ((first << 32) + cells * inside[1] as u64) / count;
     [low_word(x), low_word(y)]
@@ -61,9 +61,10 @@ pub const fn jittered_2d(index: u32, count: u32, seed: u32) -> [u32; 2] {
 
 /// A random order of the cells: a bijection of 0..count for every seed; `index` is taken modulo `count`.
 ///
-/// For count = 2ᵐ an Owen-scrambled van der Corput sequence, so every run of 2ᵏ indices from a multiple of 2ᵏ on
-/// spreads over all 2ᵏ parts. For other counts numbers that fall outside are mapped again until they fall inside
-/// (cycle walking; less than two rounds in the mean).
+/// For count = 2ᵐ a shuffled, Owen-scrambled van der Corput sequence, so every run of 2ᵏ indices from a multiple of
+/// 2ᵏ on spreads over all 2ᵏ parts. For other counts numbers that fall outside are mapped again until they fall inside
+/// (cycle walking; less than two rounds in the mean), and a random shift modulo `count` makes up for it that such a
+/// walk prefers some cells: over seeds every index meets every cell equally often.
 #[inline]
 #[must_use]
 pub const fn permute(index: u32, count: u32, seed: u32) -> u32 {
@@ -74,24 +75,39 @@ pub const fn permute(index: u32, count: u32, seed: u32) -> u32 {
     }
     let mut cell = index % count;
     loop {
-        cell = crate::hash::laine_karras(cell, seed).reverse_bits() >> (32 - bits);
+        // Without the shuffle the first digit of the cell would be the last of the index for every seed: two domains
+        // of one pixel would see two of their four joint quadrants only.
+        let order = crate::hash::shuffle(cell, seed);
+        cell = crate::hash::laine_karras(order, seed).reverse_bits() >> (32 - bits);
         if cell < count {
-            return cell;
+            break;
         }
     }
+    if count.is_power_of_two() {
+        return cell;
+    }
+    let shift = (crate::hash::mix(seed) as u64 * count as u64) >> 32;
+    let sum = cell as u64 + shift;
+    low_word(if sum < count as u64 { sum } else { sum - count as u64 })
 }
 
-/// √count rounded to the nearest: r(r+1) is the first count that rounds up past r.
+/// √count rounded to the nearest: r(r+1) is the last count that rounds down to r.
 const fn rows(count: u64) -> u64 {
     let root = count.isqrt();
-    if count - root * root > root { root + 1 } else { root }
+    let rows = if count - root * root > root { root + 1 } else { root };
+    not_zero(rows)
+}
+
+/// Says to the compiler what holds anyway, so that it drops the check before a division.
+const fn not_zero(divisor: u64) -> u64 {
+    if divisor == 0 { 1 } else { divisor }
 }
 
 const fn at_least_one(count: u32) -> u32 {
     if count == 0 { 1 } else { count }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "callers divide a number below count·2³² by count")]
+#[expect(clippy::cast_possible_truncation, reason = "callers divide a number below count·2³² by count, or less")]
 const fn low_word(value: u64) -> u32 {
     value as u32
 }

@@ -22,7 +22,13 @@ pub const fn offset(seed: u32, domain: u32, frame: u32, size_log2: u32) -> [u32;
     let start = crate::hash::mix(seed);
     let x = start.wrapping_add(domain.wrapping_mul(R2[0])).wrapping_add(frame.wrapping_mul(R2[1]));
     let y = crate::hash::mix(start).wrapping_add(domain.wrapping_mul(R2[1])).wrapping_sub(frame.wrapping_mul(R2[0]));
-    // The upper bits are the place in the tile; a 64-bit shift makes a tile of one pixel no special case.
-    let shift = 32u32.saturating_sub(size_log2);
-    [(x as u64 >> shift) as u32, (y as u64 >> shift) as u32]
+    [upper_bits(x, size_log2), upper_bits(y, size_log2)]
+}
+
+/// The place in the tile is in the upper bits: low-discrepancy sequences are even there.
+const fn upper_bits(value: u32, count: u32) -> u32 {
+    match value.checked_shr(32u32.saturating_sub(count)) {
+        Some(bits) => bits,
+        None => 0, // a tile of one pixel
+    }
 }

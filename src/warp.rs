@@ -75,7 +75,7 @@ pub fn gaussian(u: [f32; 2]) -> [f32; 2] {
 }
 
 #[inline]
+#[expect(clippy::manual_clamp, reason = "f32::clamp keeps NaN; max and min return the other argument")]
 fn clamp(u: [f32; 2]) -> [f32; 2] {
-    // f32::max and min return the other argument for NaN.
     u.map(|c| c.max(0.0).min(1.0))
 }

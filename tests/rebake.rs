@@ -123,7 +123,7 @@ fn derived() -> Inputs {
         anneal_kernel: list(ANNEAL).collect(),
         cosine: list(COSINE).collect(),
         features_1d: columns(1, 48, [1.0, 0.3, 0.1]),
-        features_2d: columns(2, 12, [1.0, 0.6, 0.4]),
+        features_2d: columns(2, 12, [1.0, 0.4, 0.15]),
     }
 }
 
@@ -206,13 +206,15 @@ fn write_tables() {
     let formula = |what: &str| format!("{what}\n{derivation}");
     input(
         VOID_AND_CLUSTER.0,
-        &formula("round(2^20 * exp(-r2 / (2 * 1.5^2))) at squared distance r2 = 0, 1, 2, ... (Ulichney 1993)."),
+        &formula(
+            "round(2^20 * (exp(-r2 / (2 * 1.4^2)) + exp(-r2 / (2 * 2.5^2)) / 10)) at squared distance r2 = 0, 1, 2, ...",
+        ),
         wide(&inputs.void_and_cluster_kernel),
         11,
     );
     input(
         ANNEAL.0,
-        &formula("round(128 * exp(-r2 / 2.1^2)) at squared distance r2 = 0, 1, 2, ... (Georgiev and Fajardo 2016)."),
+        &formula("round(128 * exp(-r2 / 2.2^2)) at squared distance r2 = 0, 1, 2, ..."),
         wide(&inputs.anneal_kernel),
         5,
     );

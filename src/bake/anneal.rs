@@ -1,19 +1,21 @@
 //! The feature-field annealer: swaps the items of a tile until the error of rendered pixels is blue noise.
 //!
 //! Every item (a mask value) has a vector f of errors that a pixel would make with it, see [`features`](super::features).
-//! The energy Σ_{p≠q} w(p−q)⟨f_p, f_q⟩ with w = exp(−r²/2.1²) is, up to a constant, the power of the error image
-//! after a Gaussian of standard deviation 2.1/2 pixels. (Georgiev and Fajardo 2016 swap pixels too, but by a kernel
+//! The energy Σ_{p≠q} w(p−q)⟨f_p, f_q⟩ with w = exp(−r²/2.2²) is, up to a constant, the power of the error image
+//! after a Gaussian of standard deviation 2.2/2 pixels. (Georgiev and Fajardo 2016 swap pixels too, but by a kernel
 //! of the distance of their values, which is a poor proxy of that power.)
 //!
 //! ```text
 //! field F = w ∗ f, with w(0) = 0
-//! repeat: two pixels p, q at random, not in each other's window
+//! repeat: p = any pixel, q = one whose value is within reach of p's, not in its window
 //!     Δ = (f_q − f_p)·(F_p − F_q)        half the change of the energy if their items swap
 //!     Δ < threshold: swap, and update F around both
+//! threshold and reach fall
 //! ```
-//! Threshold accepting (Dueck and Scheuer 1990) ends where Metropolis does and needs no logarithm. All numbers are
-//! integers: the same tile on every machine. For two threads the rows are rotated and cut into two halves, each of
-//! which swaps only pixels whose window lies inside.
+//! A far value is a step too large late in the day: the falling reach saves two thirds of the proposals. Threshold
+//! accepting (Dueck and Scheuer 1990) ends where Metropolis does and needs no logarithm. All numbers are integers: the
+//! same tile on every machine. For two threads the rows are rotated and cut into two halves, each of which swaps only
+//! pixels whose window lies inside.
 
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
@@ -22,16 +24,27 @@ use rand::{Rng, SeedableRng};
 pub const LANES: usize = 32;
 /// A feature vector. Magnitudes up to 63 and weights up to 128 keep every sum below within an `i32`.
 pub type Features = [[i32; 8]; LANES / 8];
-/// The window reaches this far: beyond, 128·exp(−r²/2.1²) rounds to 0.
+/// The window reaches this far: weights beyond are below one part in 128.
 pub const RADIUS: usize = 4;
 
-const PHASES: u32 = 96;
-const SCREEN: i32 = 2;
+const PHASES: usize = 96;
+/// Thousandths of a pixel's own power.
+const FIRST_THRESHOLD: u64 = 65;
+/// What the lanes after the first eight may take off a Δ, in thresholds: found by trial, 1 loses and 8 wins nothing.
+const SCREEN: i32 = 4;
 
 /// Swaps the items of a tile of 2^`size_log2` squared pixels and returns the item of every pixel, row by row.
 ///
-/// Item i has `features[i]`; `kernel[r²]` are the weights. `proposals` swaps a pixel are tried.
-pub fn anneal(size_log2: u32, features: &[Features], kernel: &[i32], proposals: u32, seed: u64) -> Vec<u16> {
+/// Item i has `features[i]` and is number `order[i]` in an order in which near values stand near; `kernel[r²]` are the
+/// weights. `proposals` swaps a pixel are tried.
+pub fn anneal(
+    size_log2: u32,
+    features: &[Features],
+    order: &[u16],
+    kernel: &[i32],
+    proposals: usize,
+    seed: u64,
+) -> Vec<u16> {
     let size = 1usize << size_log2;
     let window = Window::new(kernel);
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
@@ -43,39 +56,37 @@ pub fn anneal(size_log2: u32, features: &[Features], kernel: &[i32], proposals: 
 
     // Halves of a tile below 64 pixels would hardly have an inside.
     let halves = if size < 64 { 1 } else { 2 };
-    let rows = size / halves;
-    let margin = if halves == 1 { 0 } else { RADIUS };
-    let tries = (proposals as usize * items.len() / halves / PHASES as usize) as u32;
-    let mut threshold = first_threshold(features, kernel[0]);
+    let (rows, margin) = if halves == 1 { (size, 0) } else { (size / 2, RADIUS) };
+    let tries = proposals * items.len() / halves / PHASES;
+    let power = power(features, kernel[0]);
+    // 1 in 16.16 fixed point; after all phases a twentieth.
+    let mut level = 1u64 << 16;
     for _ in 0..PHASES {
         let turn = (rng.next_u64() >> (64 - size_log2)) as usize * size;
         items.rotate_left(turn);
         field.rotate_left(turn);
+        let threshold = ((power * FIRST_THRESHOLD / 1000 * level) >> 16) as i32;
         let seeds = [rng.next_u64(), rng.next_u64()];
-        let (items_a, items_b) = items.split_at_mut(rows * size);
-        let (field_a, field_b) = field.split_at_mut(rows * size);
-        let mut a = Part { items: items_a, field: field_a, size_log2, rows, margin };
-        let mut b = Part { items: items_b, field: field_b, size_log2, rows, margin };
-        let sweep = |part: &mut Part<'_>, seed| part.sweep(features, &window, threshold, tries, seed);
+        let sweep = |items: &mut [u16], field: &mut [Features], seed| {
+            Part { items, field, size_log2, rows }
+                .sweep(features, order, &window, margin, threshold, level, tries, seed);
+        };
         if halves == 1 {
-            sweep(&mut a, seeds[0]);
+            sweep(&mut items, &mut field, seeds[0]);
         } else {
-            rayon::join(|| sweep(&mut a, seeds[0]), || sweep(&mut b, seeds[1]));
+            let (items_a, items_b) = items.split_at_mut(rows * size);
+            let (field_a, field_b) = field.split_at_mut(rows * size);
+            rayon::join(|| sweep(items_a, field_a, seeds[0]), || sweep(items_b, field_b, seeds[1]));
         }
-        threshold = next_threshold(threshold);
+        level = (level * 63_509) >> 16; // .05^(1/95)
     }
     items
 }
 
-/// The threshold starts at .065 of a pixel's own power w(0)‖f‖² and ends at .0033 of it, falling geometrically.
-fn first_threshold(features: &[Features], weight: i32) -> i32 {
-    let power: i64 = features.iter().flatten().flatten().map(|&f| i64::from(f * f)).sum();
-    (power * i64::from(weight) / features.len() as i64 * 65 / 1000) as i32
-}
-
-fn next_threshold(threshold: i32) -> i32 {
-    // (.0033/.065)^(1/95) of the last one.
-    (i64::from(threshold) * 63_509 >> 16) as i32
+/// w(0)‖f‖², the mean over items: what a pixel alone would add.
+fn power(features: &[Features], weight: i32) -> u64 {
+    let squares: u64 = features.iter().flatten().flatten().map(|f| u64::from(f.unsigned_abs()).pow(2)).sum();
+    squares * u64::from(weight.unsigned_abs()) / features.len() as u64
 }
 
 fn shuffled(count: usize, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
@@ -87,25 +98,40 @@ fn shuffled(count: usize, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
     items
 }
 
-/// Some rows of the tile. `margin` rows at both ends stay as they are, or, without a margin, the rows wrap.
+/// Some rows of the tile, which wrap; a margin of rows at both ends keeps swaps from noticing that.
 struct Part<'a> {
     items: &'a mut [u16],
     field: &'a mut [Features],
     size_log2: u32,
     rows: usize,
-    margin: usize,
 }
 
 impl Part<'_> {
-    fn sweep(&mut self, features: &[Features], window: &Window, threshold: i32, tries: u32, seed: u64) {
+    #[allow(clippy::too_many_arguments, reason = "the inner loop of one caller")]
+    fn sweep(
+        &mut self,
+        features: &[Features],
+        order: &[u16],
+        window: &Window,
+        margin: usize,
+        threshold: i32,
+        reach: u64,
+        tries: usize,
+        seed: u64,
+    ) {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        // What the lanes after the first eight take off a Δ now and then.
+        let mut pixels = self.by_value(order, margin);
+        let count = pixels.len();
+        let span = (count as u64 * reach) >> 17; // forwards only: half of what is within reach
         let screen = threshold * SCREEN;
         let mut tried = 0;
         while tried < tries {
             tried += 1;
             let bits = rng.next_u64();
-            let (p, q) = (self.pixel(bits as u32), self.pixel((bits >> 32) as u32));
+            let a = (((bits >> 32) * count as u64) >> 32) as usize;
+            let step = (((bits & 0xffff_ffff) * span) >> 32) as usize + 1;
+            let b = if a + step < count { a + step } else { a + step - count };
+            let (p, q) = (pixels[a] as usize, pixels[b] as usize);
             if near(p, q, self.size_log2, self.rows) {
                 continue;
             }
@@ -123,16 +149,21 @@ impl Part<'_> {
                 window.splat(self.field, self.size_log2, self.rows, p, &change, 1);
                 window.splat(self.field, self.size_log2, self.rows, q, &change, -1);
                 self.items.swap(p, q);
+                pixels.swap(a, b);
             }
         }
     }
 
-    /// A pixel between the margins from 32 random bits.
-    fn pixel(&self, bits: u32) -> usize {
-        let rows = self.rows - 2 * self.margin;
-        let y = self.margin + ((bits >> 16) as usize * rows >> 16);
-        let x = bits as usize & ((1 << self.size_log2) - 1);
-        y << self.size_log2 | x
+    /// The pixels between the margins, in the order of their values.
+    fn by_value(&self, order: &[u16], margin: usize) -> Vec<u16> {
+        let mut at = vec![u16::MAX; order.len()];
+        let mut pixel = margin << self.size_log2;
+        while pixel < (self.rows - margin) << self.size_log2 {
+            at[order[self.items[pixel] as usize] as usize] = pixel as u16;
+            pixel += 1;
+        }
+        at.retain(|&pixel| pixel != u16::MAX);
+        at
     }
 }
 

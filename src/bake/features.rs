@@ -28,6 +28,23 @@ pub fn value_set(channels: usize, size_log2: u32) -> Vec<[u16; 2]> {
     (0..1 << (2 * size_log2)).map(value).collect()
 }
 
+/// The place of every value in an order in which near values stand near: a Z curve, which in one channel is the rank.
+pub fn value_order(set: &[[u16; 2]]) -> Vec<u16> {
+    let morton = |value: [u16; 2]| {
+        (0..16).fold(0u32, |z, bit| {
+            z | u32::from(value[0] >> bit & 1) << (2 * bit) | u32::from(value[1] >> bit & 1) << (2 * bit + 1)
+        })
+    };
+    let mut sorted: Vec<(u32, u16)> =
+        set.iter().enumerate().map(|(item, &value)| (morton(value), item as u16)).collect();
+    sorted.sort_unstable();
+    let mut order = vec![0; set.len()];
+    for (place, &(_, item)) in sorted.iter().enumerate() {
+        order[usize::from(item)] = place as u16;
+    }
+    order
+}
+
 /// One feature vector for every value of the set. `cosine` is a quarter of a wave in 256 steps, 2.14 fixed point.
 pub fn vectors(set: &[[u16; 2]], channels: usize, size_log2: u32, columns: &[Column], cosine: &[i32]) -> Vec<Features> {
     let mut vectors = vec![[[0; 8]; LANES / 8]; set.len()];

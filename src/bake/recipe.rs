@@ -74,7 +74,14 @@ impl Recipe {
             Effort::Normal => 1_000,
             Effort::Thorough => 20_000,
         };
-        let items = anneal::anneal(self.size_log2, &vectors, &inputs.anneal_kernel, proposals, seed);
+        let items = anneal::anneal(
+            self.size_log2,
+            &vectors,
+            &features::value_order(&set),
+            &inputs.anneal_kernel,
+            proposals,
+            seed,
+        );
         items.iter().flat_map(|&item| set[usize::from(item)][..self.channels()].to_vec()).collect()
     }
 }

@@ -16,19 +16,22 @@ use rand::rngs::Xoshiro256PlusPlus;
 /// Ones stand this far above zeros in the field: its minimum is the largest void, its maximum the tightest cluster.
 const ONE: i32 = 1 << 30;
 
-/// Past a few hundred ones the start makes no difference to the outcome.
-const MOST_INITIAL_ONES: usize = 512;
+/// Few ones to start with, since taking them away orders them worse than filling voids does: a tenth of the pixels,
+/// as usual, costs a tenth more error after a wide filter. Past a few hundred they make no difference.
+fn initial_ones(area: usize) -> usize {
+    (area / 50).min(512)
+}
 
 /// Ranks 0..S²−1 of a tile of 2^`size_log2` squared pixels, row by row.
 ///
-/// `kernel[r²]` is the weight at squared distance r² (standard deviation 1.5 pixels; zero past its end).
+/// `kernel[r²]` is the weight at squared distance r², zero past its end.
 pub fn void_and_cluster(size_log2: u32, kernel: &[i32], rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
     let area = 1usize << (2 * size_log2);
     let window = Window::new(kernel);
     let mut field = vec![0i32; area];
 
     let mut ones = 0;
-    while ones < (area / 10).min(MOST_INITIAL_ONES) {
+    while ones < initial_ones(area) {
         let pixel = (rng.next_u64() >> (64 - 2 * size_log2)) as usize;
         if field[pixel] < ONE {
             window.splat(&mut field, size_log2, pixel, 1);

@@ -46,7 +46,7 @@ macro_rules! call_shape {
                 let mut out = [0; D];
                 let mut k = 0;
                 while k < D {
-                    let pad = (k / 2) as u32 * $crate::sampler::PAD;
+                    let pad = if k < 2 { 0 } else { $crate::sampler::PAD };
                     if k + 1 < D {
                         [out[k], out[k + 1]] = self.pair_fx(domain, pad, index);
                     } else {

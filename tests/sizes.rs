@@ -1,0 +1,66 @@
+//! What a table costs: pinned here, stated in Cargo.toml and in the docs, and the three agree.
+
+#![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "a test on the host")]
+#![allow(unreachable_pub, dead_code, reason = "shares the bake with build.rs")]
+
+use bluedither::{ScalarMask, VectorMask, effort, sobol, strata};
+
+#[path = "../src/bake/mod.rs"]
+mod bake;
+
+/// Feature and bytes.
+const BYTES: [(&str, usize); 13] = [
+    ("threshold-16", 512),
+    ("threshold-32", 2_048),
+    ("threshold-64", 8_192),
+    ("threshold-128", 32_768),
+    ("threshold-256", 131_072),
+    ("offset-1d-16", 512),
+    ("offset-1d-32", 2_048),
+    ("offset-1d-64", 8_192),
+    ("offset-1d-128", 32_768),
+    ("offset-2d-16", 1_024),
+    ("offset-2d-32", 4_096),
+    ("offset-2d-64", 16_384),
+    ("offset-2d-128", 65_536),
+];
+
+#[test]
+fn recipes_cost_what_is_pinned() {
+    let recipes: Vec<_> =
+        bake::recipe::all().iter().map(|recipe| (recipe.name().replace('_', "-"), recipe.bytes())).collect();
+    let pinned: Vec<_> = BYTES.iter().map(|&(feature, bytes)| (feature.to_string(), bytes)).collect();
+    assert_eq!(recipes, pinned);
+}
+
+#[test]
+fn masks_hold_nothing_but_ranks() {
+    assert_eq!(size_of::<ScalarMask<16>>(), 512);
+    assert_eq!(size_of::<ScalarMask<256>>(), 131_072);
+    assert_eq!(size_of::<VectorMask<2, 64>>(), 16_384);
+    #[cfg(feature = "threshold-64")]
+    assert_eq!(size_of_val(&bluedither::tables::THRESHOLD_64), 8_192);
+    #[cfg(feature = "offset-2d-64")]
+    assert_eq!(size_of_val(&bluedither::tables::OFFSET_2D_64), 16_384);
+}
+
+#[test]
+fn manifest_and_docs_state_the_bytes() {
+    // Cargo drops comments from the manifest of a package, and keeps the original beside it.
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let original = std::fs::read_to_string(root.join("Cargo.toml.orig"));
+    let manifest = original.or_else(|_| std::fs::read_to_string(root.join("Cargo.toml"))).expect("a manifest");
+    let docs = include_str!("../src/lib.rs");
+    for (feature, bytes) in BYTES {
+        let bytes = with_commas(bytes);
+        let in_manifest =
+            |line: &str| line.starts_with(&format!("{feature} =")) && line.ends_with(&format!(" {bytes} bytes"));
+        assert!(manifest.lines().any(in_manifest), "Cargo.toml should state that {feature} costs {bytes} bytes");
+        let in_docs = |line: &str| line.contains(&format!("| `{feature}`")) && line.ends_with(&format!("| {bytes} |"));
+        assert!(docs.lines().any(in_docs), "lib.rs should state that {feature} costs {bytes} bytes");
+    }
+}
+
+fn with_commas(bytes: usize) -> String {
+    if bytes < 1000 { bytes.to_string() } else { format!("{},{:03}", bytes / 1000, bytes % 1000) }
+}

@@ -1,0 +1,65 @@
+//! Uses every public function family from a `no_std` program whose panic handler does not link: if the optimised code
+//! could panic anywhere, this crate would not build.
+//!
+//! Build it with `RUSTFLAGS="-Clink-arg=-nostdlib -Clink-arg=-Wl,--no-undefined,--gc-sections"`.
+#![no_std]
+
+use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
+use bluedither::{Constant, Dithered, White, hash, shift, sobol, strata, torus, unit, warp};
+
+unsafe extern "C" {
+    /// Defined nowhere.
+    fn the_optimised_code_can_panic() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    unsafe { the_optimised_code_can_panic() }
+}
+
+/// All samplers and both forms of offsets.
+#[unsafe(no_mangle)]
+pub extern "C" fn samplers(seed: u32, spp: u32, x: u32, y: u32, frame: u32, domain: u32, index: u32) -> f32 {
+    let dithered = Dithered::with_spp(seed, spp);
+    let mut sum = 0.0;
+    let pixels = [dithered, Dithered::new(seed), dithered.global(), dithered.stratified(spp)];
+    for pixel in pixels.map(|sampler| sampler.pixel(x, y, frame)) {
+        sum += pixel.draw::<1>(domain, index)[0] + pixel.draw::<3>(domain, index)[2];
+        sum += pixel.draw::<2>(domain, index)[1] + pixel.draw::<4>(domain, index)[3];
+        sum += pixel.pattern::<2, 16>(domain, spp).iter().map(|point| point[0]).sum::<f32>();
+    }
+    sum += White::new(seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
+    sum + Constant::with_spp(seed, spp).pixel(x, y, frame).draw::<4>(domain, index)[3]
+}
+
+/// Look-ups and bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn masks(x: u32, y: u32) -> f32 {
+    let bytes = THRESHOLD_64.bytes().len() + OFFSET_2D_64.bytes().len();
+    THRESHOLD_64.value(x, y) + OFFSET_2D_64.value(x, y)[1] + unit::to_f32(bytes as u32)
+}
+
+/// One threshold: for looking at the machine code.
+#[unsafe(no_mangle)]
+pub extern "C" fn rank(x: u32, y: u32) -> u16 {
+    THRESHOLD_64.rank(x, y)
+}
+
+/// Integer parts.
+#[unsafe(no_mangle)]
+pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
+    let mut sum = hash::combine(a, b) ^ hash::owen(a, b) ^ hash::shuffle(a, b);
+    sum ^= sobol::dimension(a, b) ^ sobol::owen_point(a, b)[1] ^ torus::offset(a, b, c, b)[1];
+    sum ^= strata::permute(a, b, c) ^ strata::jittered_1d(a, b, c) ^ strata::jittered_2d(a, b, c)[1];
+    sum ^= strata::regular_1d(a, b) ^ strata::regular_2d(a, b)[0] ^ shift::global([a, b], [b, c])[1];
+    sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
+    sum ^ unit::from_f32(unit::to_f32(a)) ^ torus::wrap(a, b)
+}
+
+/// Warps.
+#[unsafe(no_mangle)]
+pub extern "C" fn warps(u: f32, v: f32) -> f32 {
+    let u = [u, v];
+    let flat = warp::disk(u)[0] + warp::triangle(u)[2] + warp::gaussian(u)[1];
+    flat + warp::cosine_hemisphere(u)[2] + warp::uniform_hemisphere(u)[2] + warp::sphere(u)[2]
+}
