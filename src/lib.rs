@@ -5,9 +5,9 @@
 //! index), the same on every machine and thread. `build.rs` optimises the tables; the library looks them up.
 //!
 //! # Limits
-//! - Masks pay off at 1 to 16 samples per pixel and where the picture is smooth over a few pixels; with more samples,
-//!   or at edges and in fine texture, the error turns white. It is never larger than that of the same points
-//!   distributed as white noise.
+//! - Masks pay off at 1 to 9 samples per pixel and where the picture is smooth over a few pixels; with more samples,
+//!   or at edges and in fine texture, the error turns white. From 16 samples on, the Owen-scrambled points of [`White`]
+//!   are as good or better.
 //! - A tile of S×S pixels repeats: 64×64 by default.
 //! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white.
 //! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
@@ -37,11 +37,12 @@
 //! # What to use when
 //! | you have | take |
 //! |---|---|
-//! | a renderer, 1–16 samples per pixel | [`Dithered::with_spp`] |
+//! | a renderer, 1–9 samples per pixel | [`Dithered::with_spp`] |
 //! | a renderer that stops when it likes | [`Dithered::new`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
-//! | your own masks | [`ScalarMask::new`], [`VectorMask::new`], [`Dithered::with_masks`] |
+//! | more than 9 samples per pixel | [`White`] |
+//! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
 //! | a shader | `bytes()` of a mask (feature `bytemuck`), looked up as in [`mask`] |
 //!
 //! # Features

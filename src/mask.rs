@@ -30,6 +30,17 @@ impl<const S: usize> ScalarMask<S> {
         Self { ranks }
     }
 
+    /// A mask of your own, row by row: none if there are not S² ranks or one is S² or more.
+    #[must_use]
+    pub fn from_slice(ranks: &[u16]) -> Option<Self> {
+        if ranks.len() != S * S || ranks.iter().any(|&rank| usize::from(rank) >= S * S) {
+            return None;
+        }
+        let mut rows = [[0; S]; S];
+        rows.as_flattened_mut().copy_from_slice(ranks);
+        Some(Self::new(rows))
+    }
+
     /// The rank at a pixel, 0..S²−1. Any coordinate; an `i32` is passed `as u32`.
     #[inline]
     #[must_use]
@@ -83,6 +94,17 @@ impl<const D: usize, const S: usize> VectorMask<D, S> {
     pub const fn new(ranks: [[[u16; D]; S]; S]) -> Self {
         let _ = Self::SIZE_LOG2;
         Self { ranks }
+    }
+
+    /// A mask of your own, row by row: none if there are not S² vectors or a rank is S² or more.
+    #[must_use]
+    pub fn from_slice(ranks: &[[u16; D]]) -> Option<Self> {
+        if ranks.len() != S * S || ranks.as_flattened().iter().any(|&rank| usize::from(rank) >= S * S) {
+            return None;
+        }
+        let mut rows = [[[0; D]; S]; S];
+        rows.as_flattened_mut().copy_from_slice(ranks);
+        Some(Self::new(rows))
     }
 
     /// The ranks at a pixel, each 0..S²−1. Any coordinate; an `i32` is passed `as u32`.

@@ -11,10 +11,10 @@ pub fn collect<const D: usize, const CAPACITY: usize>(
     mut draw: impl FnMut(u32) -> [f32; D],
 ) -> Pattern<D, CAPACITY> {
     let mut pattern = Pattern::new();
-    for index in 0..count {
-        if pattern.push(draw(index)).is_err() {
-            break; // full
-        }
+    let mut index = 0;
+    // The push cannot fail; asking it as well leaves no check that could panic.
+    while index < count && !pattern.is_full() && pattern.push(draw(index)).is_ok() {
+        index += 1;
     }
     pattern
 }

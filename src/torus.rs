@@ -8,21 +8,34 @@ pub const fn wrap(coordinate: u32, size: u32) -> u32 {
     coordinate & (size - 1)
 }
 
-/// How far one number of a tile of 2^`size_log2` pixels must be read from the pixel itself: pixels in x and y.
+/// How far from the pixel itself a tile of 2^`size_log2` squared pixels is read: pixels in x and y.
 ///
 /// Different domains and frames read the same tile at different places. Moving the *place* keeps a tile's spectrum
 /// exactly; adding a constant to its *values* does not (half of the blueness is gone). Successive domains step along
-/// the R2 sequence (M. Roberts 2018), successive frames along the same one turned by a right angle, so that 100 of
-/// either stay several pixels of a 64² tile apart. `size_log2` above 32 counts as 32.
+/// the R2 sequence (M. Roberts 2018), and 100 of them, as 100 frames, stay 4 pixels or more of a 64² tile apart; so do
+/// all of 16 domains in 4 frames, 8 in 8 and 4 in 16. `pad` (0 or 1) is the second pair of a domain's four dimensions.
+/// `size_log2` above 32 counts as 32.
 #[inline]
 #[must_use]
-pub const fn offset(seed: u32, domain: u32, frame: u32, size_log2: u32) -> [u32; 2] {
-    // 2³²/φ and 2³²/φ² for φ³ = φ + 1, rounded to odd.
-    const R2: [u32; 2] = [0xc13f_a9a9, 0x91e1_0da5];
+pub const fn offset(seed: u32, domain: u32, pad: u32, frame: u32, size_log2: u32) -> [u32; 2] {
+    // Multiples of 2⁻³². 1/φ and 1/φ² for φ³ = φ + 1, rounded to odd; the others by a search for the largest least
+    // distance. (The R2 step turned by a right angle puts domain 7 of frame 0 beside domain 0 of frame 4.)
+    const DOMAIN: [u32; 2] = [0xc13f_a9a9, 0x91e1_0da5];
+    const FRAME: [u32; 2] = [0x9003_ec6d, 0x1241_0809];
+    const PAD: [u32; 2] = [0x8a0c_7e98, 0x1339_b8c0];
     let start = crate::hash::mix(seed);
-    let x = start.wrapping_add(domain.wrapping_mul(R2[0])).wrapping_add(frame.wrapping_mul(R2[1]));
-    let y = crate::hash::mix(start).wrapping_add(domain.wrapping_mul(R2[1])).wrapping_sub(frame.wrapping_mul(R2[0]));
-    [upper_bits(x, size_log2), upper_bits(y, size_log2)]
+    let starts = [start, crate::hash::mix(start)];
+    let mut place = [0; 2];
+    let mut axis = 0;
+    while axis < 2 {
+        let steps = domain
+            .wrapping_mul(DOMAIN[axis])
+            .wrapping_add(frame.wrapping_mul(FRAME[axis]))
+            .wrapping_add(pad.wrapping_mul(PAD[axis]));
+        place[axis] = upper_bits(starts[axis].wrapping_add(steps), size_log2);
+        axis += 1;
+    }
+    place
 }
 
 /// The place in the tile is in the upper bits: low-discrepancy sequences are even there.

@@ -7,7 +7,7 @@
 use core::cmp::Reverse;
 use std::path::PathBuf;
 
-use bluedither::{effort, hash, sobol, strata};
+use bluedither::{effort, sobol, strata};
 
 #[path = "../src/bake/mod.rs"]
 mod bake;
@@ -127,7 +127,7 @@ fn derived() -> Inputs {
     }
 }
 
-/// The 32 columns of largest variance over a 64² value set, the largest first. `shares` are the variances that the
+/// The 48 columns of largest variance over a 64² value set, the largest first. `shares` are the variances that the
 /// errors at 1, 4 and 16 samples get in total.
 fn columns(channels: usize, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
     let set: Vec<[f64; 2]> = bake::features::value_set(channels, 6)

@@ -21,7 +21,7 @@ use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
 /// Numbers in a feature vector, in rows that are unrolled by hand: this runs unoptimised in builds of dependents.
-pub const LANES: usize = 32;
+pub const LANES: usize = 48;
 /// A feature vector. Magnitudes up to 63 and weights up to 128 keep every sum below within an `i32`.
 pub type Features = [[i32; 8]; LANES / 8];
 /// The window reaches this far: weights beyond are below one part in 128.
@@ -68,8 +68,8 @@ pub fn anneal(
         let threshold = ((power * FIRST_THRESHOLD / 1000 * level) >> 16) as i32;
         let seeds = [rng.next_u64(), rng.next_u64()];
         let sweep = |items: &mut [u16], field: &mut [Features], seed| {
-            Part { items, field, size_log2, rows }
-                .sweep(features, order, &window, margin, threshold, level, tries, seed);
+            let mut part = Part { features, order, window: &window, items, field, size_log2, rows, margin };
+            part.sweep(threshold, level, tries, seed);
         };
         if halves == 1 {
             sweep(&mut items, &mut field, seeds[0]);
@@ -100,27 +100,20 @@ fn shuffled(count: usize, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
 
 /// Some rows of the tile, which wrap; a margin of rows at both ends keeps swaps from noticing that.
 struct Part<'a> {
+    features: &'a [Features],
+    order: &'a [u16],
+    window: &'a Window,
     items: &'a mut [u16],
     field: &'a mut [Features],
     size_log2: u32,
     rows: usize,
+    margin: usize,
 }
 
 impl Part<'_> {
-    #[allow(clippy::too_many_arguments, reason = "the inner loop of one caller")]
-    fn sweep(
-        &mut self,
-        features: &[Features],
-        order: &[u16],
-        window: &Window,
-        margin: usize,
-        threshold: i32,
-        reach: u64,
-        tries: usize,
-        seed: u64,
-    ) {
+    fn sweep(&mut self, threshold: i32, reach: u64, tries: usize, seed: u64) {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        let mut pixels = self.by_value(order, margin);
+        let mut pixels = self.by_value();
         let count = pixels.len();
         let span = (count as u64 * reach) >> 17; // forwards only: half of what is within reach
         let screen = threshold * SCREEN;
@@ -135,19 +128,21 @@ impl Part<'_> {
             if near(p, q, self.size_log2, self.rows) {
                 continue;
             }
-            let (f_p, f_q) = (&features[self.items[p] as usize], &features[self.items[q] as usize]);
+            let (f_p, f_q) = (&self.features[self.items[p] as usize], &self.features[self.items[q] as usize]);
             let (at_p, at_q) = (&self.field[p], &self.field[q]);
             let mut delta = part(&f_p[0], &f_q[0], &at_p[0], &at_q[0]);
             if delta > screen {
                 continue;
             }
-            delta += part(&f_p[1], &f_q[1], &at_p[1], &at_q[1])
-                + part(&f_p[2], &f_q[2], &at_p[2], &at_q[2])
-                + part(&f_p[3], &f_q[3], &at_p[3], &at_q[3]);
+            let mut k = 1;
+            while k < LANES / 8 {
+                delta += part(&f_p[k], &f_q[k], &at_p[k], &at_q[k]);
+                k += 1;
+            }
             if delta < threshold {
                 let change = difference(f_p, f_q);
-                window.splat(self.field, self.size_log2, self.rows, p, &change, 1);
-                window.splat(self.field, self.size_log2, self.rows, q, &change, -1);
+                self.window.splat(self.field, self.size_log2, self.rows, p, &change, 1);
+                self.window.splat(self.field, self.size_log2, self.rows, q, &change, -1);
                 self.items.swap(p, q);
                 pixels.swap(a, b);
             }
@@ -155,11 +150,11 @@ impl Part<'_> {
     }
 
     /// The pixels between the margins, in the order of their values.
-    fn by_value(&self, order: &[u16], margin: usize) -> Vec<u16> {
-        let mut at = vec![u16::MAX; order.len()];
-        let mut pixel = margin << self.size_log2;
-        while pixel < (self.rows - margin) << self.size_log2 {
-            at[order[self.items[pixel] as usize] as usize] = pixel as u16;
+    fn by_value(&self) -> Vec<u16> {
+        let mut at = vec![u16::MAX; self.order.len()];
+        let mut pixel = self.margin << self.size_log2;
+        while pixel < (self.rows - self.margin) << self.size_log2 {
+            at[self.order[self.items[pixel] as usize] as usize] = pixel as u16;
             pixel += 1;
         }
         at.retain(|&pixel| pixel != u16::MAX);

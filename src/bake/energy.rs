@@ -6,7 +6,7 @@
 //! E = Σ_{p≠q} exp(−‖p_i − q_i‖²/2.1² − ‖p_s − q_s‖^{D/2})/S²
 //! ```
 //!
-//! over ordered pairs of pixels p, q of a toroidal tile, with positions `_i` and values `_s` (METHODS §2). Swaps of
+//! over ordered pairs of pixels p, q of a toroidal tile, with positions `_i` and values `_s`. Swaps of
 //! values, by simulated annealing, lower it. Values that are used as samples need [`Distance::Euclidean`]: wrapped, the
 //! kernel is not positive definite from D = 2 on, and the lowest energy is red. This is the reference that other masks
 //! are compared with; the library's own are better in what they are for.
@@ -22,6 +22,8 @@
 //! The falling reach is not in the paper: late, a random partner is nearly always refused, and a near value is a fine
 //! step. It saves two thirds of the swaps. Sums are integers, and floats are single operations or `libm`'s: a seed gives
 //! the same mask on every machine.
+//!
+//! Mounted by `#[path]` in tests and examples, whose root needs `use bluedither::{sobol, torus};`.
 #![allow(clippy::cast_possible_truncation, reason = "coordinates, ranks and floats that hold them are below 2^16")]
 #![allow(unreachable_pub, reason = "mounted privately by programs and tests")]
 

@@ -2,7 +2,7 @@
 //!
 //! The basis is Π cos(π k_j x_j). A feature is the error of one basis function, estimated with the first n points of
 //! the pattern that ships (i/n in one dimension, Sobol points in two) moved by the value; n = 1, 4 and 16 at once.
-//! Weights fall as |k|^−(d+1)/2, the decay of integrands with edges, and every n has its share of the total. The 32
+//! Weights fall as |k|^−(d+1)/2, the decay of integrands with edges, and every n has its share of the total. The 48
 //! columns of largest variance and their weights are kept in `tables/`; a test derives them again. All coefficients
 //! of the kernel that this amounts to are positive, so no frequency is ever rewarded for being loud.
 

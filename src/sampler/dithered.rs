@@ -1,14 +1,15 @@
 //! Georgiev and Fajardo 2016: one pattern for the image, one offset a pixel from a blue-noise mask.
 
-use super::call_shape;
+use super::{call_shape, domain_seed};
 use crate::mask::{ScalarMask, VectorMask};
 use crate::{hash, shift, sobol, strata, torus};
 
 /// Blue-noise dithered sampling: a Sobol or stratified pattern, moved in every pixel by a mask.
 ///
 /// One dimension is taken from a scalar mask, pairs from a two-channel mask, each read at a place of its own for every
-/// domain and frame. Strong at 1 to 16 samples per pixel on what is smooth over the screen; as samples grow the error
-/// turns white. A draw costs a hash, a look-up and a Sobol point (about 10 ns), and with strata one or more divisions.
+/// domain and frame. Strong at 1 to 9 samples per pixel on what is smooth over the screen; with more the error turns
+/// white, and from 16 on [`White`](crate::White), which has better points, leaves no more of it. A draw costs a few
+/// hashes, a look-up and a Sobol point, and with strata a division or more.
 #[derive(Clone, Copy, Debug)]
 pub struct Dithered<'a, const S: usize = 64> {
     scalar: &'a ScalarMask<S>,
@@ -33,9 +34,7 @@ impl Dithered<'static, 64> {
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
-        let mut sampler = Self::new(seed);
-        sampler.strata_1d = if spp == 0 { 1 } else { spp };
-        sampler
+        Self::new(seed).stratified_1d(spp)
     }
 }
 
@@ -55,13 +54,21 @@ impl<'a, const S: usize> Dithered<'a, S> {
         self
     }
 
-    /// Offsets inside the cells of `spp` strata, for single dimensions and for pairs: keeps the mask's full blueness
-    /// at every `spp`, but for pairs the error itself falls slower than with a Sobol pattern. 0 counts as 1.
+    /// Offsets single dimensions inside the cells of `spp` strata, which keeps the mask's full blueness at every `spp`,
+    /// and pairs globally. 0 counts as 1.
+    #[inline]
+    #[must_use]
+    pub const fn stratified_1d(mut self, spp: u32) -> Self {
+        (self.strata_1d, self.strata_2d) = (at_least_one(spp), 0);
+        self
+    }
+
+    /// Offsets single dimensions and pairs inside the cells of `spp` strata. Pairs keep the mask's full blueness, too,
+    /// but their error itself falls slower than with a Sobol pattern: for a few samples. 0 counts as 1.
     #[inline]
     #[must_use]
     pub const fn stratified(mut self, spp: u32) -> Self {
-        let spp = if spp == 0 { 1 } else { spp };
-        (self.strata_1d, self.strata_2d) = (spp, spp);
+        (self.strata_1d, self.strata_2d) = (at_least_one(spp), at_least_one(spp));
         self
     }
 
@@ -71,6 +78,10 @@ impl<'a, const S: usize> Dithered<'a, S> {
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> DitheredPixel<'a, S> {
         DitheredPixel { sampler: *self, x, y, frame }
     }
+}
+
+const fn at_least_one(spp: u32) -> u32 {
+    if spp == 0 { 1 } else { spp }
 }
 
 /// One pixel of [`Dithered`].
@@ -91,9 +102,7 @@ impl<const S: usize> DitheredPixel<'_, S> {
         match self.sampler.strata_1d {
             0 => sobol::dimension_0(hash::shuffle(index, order)).wrapping_add(offset),
             count => {
-                // After `count` samples the strata are filled again, between what is there.
-                let pass = index / count;
-                let cell = strata::permute(index, count, order.wrapping_add(pass));
+                let (pass, cell) = self.cell(index, count, order);
                 shift::stratified_1d(cell, count, sobol::dimension_0(pass), offset)
             }
         }
@@ -107,8 +116,7 @@ impl<const S: usize> DitheredPixel<'_, S> {
         match self.sampler.strata_2d {
             0 => shift::global(sobol::point(hash::shuffle(index, order)), offset),
             count => {
-                let pass = index / count;
-                let cell = strata::permute(index, count, order.wrapping_add(pass));
+                let (pass, cell) = self.cell(index, count, order);
                 shift::stratified_2d(cell, count, sobol::point(pass), offset)
             }
         }
@@ -117,14 +125,26 @@ impl<const S: usize> DitheredPixel<'_, S> {
     /// Where the mask is read.
     #[inline]
     const fn place(self, domain: u32, pad: u32) -> (u32, u32) {
-        let [dx, dy] = torus::offset(self.sampler.seed ^ pad, domain, self.frame, ScalarMask::<S>::SIZE_LOG2);
+        let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, ScalarMask::<S>::SIZE_LOG2);
         (self.x.wrapping_add(dx), self.y.wrapping_add(dy))
     }
 
-    /// Seed of the order in which the pattern is visited: the same for all pixels, or the error would be white.
+    /// After `count` samples the strata are filled again, between what is there: the pass, and the cell in it.
+    ///
+    /// Every pixel has its own order of the cells. All of them are visited, so the order changes nothing within a domain;
+    /// but if cell a of one domain met cell b of another in every pixel, all pixels would have the same error.
+    #[inline]
+    const fn cell(self, index: u32, count: u32, order: u32) -> (u32, u32) {
+        let pixel = self.x.wrapping_mul(0x9e37_79b1) ^ self.y.wrapping_mul(0x85eb_ca77);
+        let pass = index / count;
+        (pass, strata::permute(index, count, hash::combine(order.wrapping_add(pass), pixel)))
+    }
+
+    /// Seed of the order in which the pattern is visited: the same for all pixels, which would else see different
+    /// points after fewer samples than 2ᵏ.
     #[inline]
     const fn order(self, domain: u32, pad: u32) -> u32 {
-        hash::combine(hash::combine(self.sampler.seed ^ pad, domain), self.frame)
+        hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame)
     }
 }
 

@@ -29,7 +29,8 @@ pub use dithered::{Dithered, DitheredPixel};
 pub use white::{White, WhitePixel};
 
 /// The public draws of a pixel, made from its two private ones:
-/// `single_fx(domain, pad, index) -> u32` and `pair_fx(domain, pad, index) -> [u32; 2]`.
+/// `single_fx(domain, pad, index) -> u32` and `pair_fx(domain, pad, index) -> [u32; 2]`, where `pad` is 1 for the second
+/// pair and else 0.
 ///
 /// A macro and not a trait, so that a user needs no import and the docs of each sampler are whole.
 macro_rules! call_shape {
@@ -46,7 +47,7 @@ macro_rules! call_shape {
                 let mut out = [0; D];
                 let mut k = 0;
                 while k < D {
-                    let pad = if k < 2 { 0 } else { $crate::sampler::PAD };
+                    let pad = if k < 2 { 0 } else { 1 };
                     if k + 1 < D {
                         [out[k], out[k + 1]] = self.pair_fx(domain, pad, index);
                     } else {
@@ -80,5 +81,8 @@ macro_rules! call_shape {
 }
 use call_shape;
 
-/// What a padded pair adds to the seed: a constant without a pattern, so that it meets no seed in use.
-const PAD: u32 = 0x5bd1_e995;
+/// The seed of a domain's numbers, one for each of its two pairs.
+const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
+    // A constant without a pattern, so that padding meets no domain in use.
+    crate::hash::combine(seed, domain ^ pad.wrapping_mul(0x5bd1_e995))
+}

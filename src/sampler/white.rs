@@ -1,6 +1,6 @@
 //! The uncorrelated control: what every renderer has without this crate.
 
-use super::call_shape;
+use super::{call_shape, domain_seed};
 use crate::{hash, sobol};
 
 /// Independent Owen-scrambled Sobol points in every pixel: the best per-pixel error, spread as white noise.
@@ -48,7 +48,7 @@ impl WhitePixel {
 
     #[inline]
     const fn pair_fx(self, domain: u32, pad: u32, index: u32) -> [u32; 2] {
-        let seed = hash::combine(self.seed ^ pad, domain);
+        let seed = domain_seed(self.seed, domain, pad);
         sobol::owen_point(hash::shuffle(index, seed), seed)
     }
 }
