@@ -5,21 +5,23 @@
 //! 1/count exactly, and a square count gives the regular grid. All values are 0.32 fixed point, rounded down; a
 //! `count` of 0 counts as 1 and a cell is taken modulo `count`.
 
-/// The point at `inside` ∈ [0, 1) of cell `cell`: ⌊(cell + inside)·2³²/count⌋, exactly. One 64-bit division.
+/// The point at `inside` ∈ [0, 1) of cell `cell`: ⌊(cell + inside)·2³²/count⌋, exactly. A shift for powers of two, else a
+/// 64-bit division.
 #[inline]
 #[must_use]
 pub const fn place_1d(cell: u32, count: u32, inside: u32) -> u32 {
     let count = at_least_one(count);
-    let cell = cell % count;
-    low_word(((cell as u64) << 32 | inside as u64) / count as u64)
+    let value = (wrap(cell, count) as u64) << 32 | inside as u64;
+    low_word(if count.is_power_of_two() { value >> count.trailing_zeros() } else { value / count as u64 })
 }
 
 /// The point at `inside` ∈ [0, 1)² of cell `cell`. An integer root and five 64-bit divisions.
 #[inline]
 #[must_use]
 pub const fn place_2d(cell: u32, count: u32, inside: [u32; 2]) -> [u32; 2] {
-    let count = at_least_one(count) as u64;
-    let cell = cell as u64 % count;
+    let count = at_least_one(count);
+    let cell = wrap(cell, count) as u64;
+    let count = count as u64;
     let rows = rows(count);
     // The last row r whose first cell ⌊r·count/rows⌋ is at most `cell`.
     let row = ((cell + 1) * rows - 1) / count;
@@ -73,7 +75,7 @@ pub const fn permute(index: u32, count: u32, seed: u32) -> u32 {
     if bits == 0 {
         return 0;
     }
-    let mut cell = index % count;
+    let mut cell = wrap(index, count);
     loop {
         // Without the shuffle the first digit of the cell would be the last of the index for every seed: two domains
         // of one pixel would see two of their four joint quadrants only.
@@ -86,9 +88,17 @@ pub const fn permute(index: u32, count: u32, seed: u32) -> u32 {
     if count.is_power_of_two() {
         return cell;
     }
-    let shift = (crate::hash::mix(seed) as u64 * count as u64) >> 32;
-    let sum = cell as u64 + shift;
-    low_word(if sum < count as u64 { sum } else { sum - count as u64 })
+    turn(cell, count, crate::hash::mix(seed))
+}
+
+/// The cell that lies `by` ∈ [0, 1) of all cells further on, modulo `count`.
+#[inline]
+#[must_use]
+pub const fn turn(cell: u32, count: u32, by: u32) -> u32 {
+    let count = at_least_one(count);
+    let sum = wrap(cell, count) as u64 + ((by as u64 * count as u64) >> 32);
+    let count = count as u64;
+    low_word(if sum < count { sum } else { sum - count })
 }
 
 /// √count rounded to the nearest: r(r+1) is the last count that rounds down to r.
@@ -101,6 +111,11 @@ const fn rows(count: u64) -> u64 {
 /// Says to the compiler what holds anyway, so that it drops the check before a division.
 const fn not_zero(divisor: u64) -> u64 {
     if divisor == 0 { 1 } else { divisor }
+}
+
+/// The remainder, without a division where there is nothing to divide.
+const fn wrap(cell: u32, count: u32) -> u32 {
+    if cell < count { cell } else { cell % count }
 }
 
 const fn at_least_one(count: u32) -> u32 {

@@ -2,7 +2,7 @@
 #![allow(clippy::cast_possible_truncation, reason = "counts of small loops")]
 
 use bluedither::hash::mix;
-use bluedither::strata::{jittered_1d, jittered_2d, permute, place_1d, place_2d, regular_1d, regular_2d};
+use bluedither::strata::{jittered_1d, jittered_2d, permute, place_1d, place_2d, regular_1d, regular_2d, turn};
 use proptest::prelude::*;
 
 const COUNTS: [u32; 14] = [
@@ -275,5 +275,18 @@ proptest! {
         let (to_a, to_b) = (permute(a, count, seed), permute(b, count, seed));
         prop_assert!(to_a < n && to_b < n);
         prop_assert_eq!(a % n == b % n, to_a == to_b);
+    }
+}
+
+#[test]
+fn a_turn_is_a_shift_of_all_cells() {
+    for count in [1, 2, 3, 7, 64, 1000, u32::MAX] {
+        for by in [0, 1, 0x7fff_ffff, 0x8000_0000, u32::MAX] {
+            let steps = (u128::from(by) * u128::from(count)) >> 32;
+            for cell in [0, 1, count / 2, count - 1, u32::MAX] {
+                let naive = (u128::from(cell) + steps) % u128::from(count);
+                assert_eq!(u128::from(turn(cell, count, by)), naive, "{cell} of {count} by {by}");
+            }
+        }
     }
 }

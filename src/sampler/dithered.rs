@@ -131,13 +131,18 @@ impl<const S: usize> DitheredPixel<'_, S> {
 
     /// After `count` samples the strata are filled again, between what is there: the pass, and the cell in it.
     ///
-    /// Every pixel has its own order of the cells. All of them are visited, so the order changes nothing within a domain;
-    /// but if cell a of one domain met cell b of another in every pixel, all pixels would have the same error.
+    /// Every pixel turns the order of the cells by a number of its own. All of them are visited, so this changes nothing
+    /// within a domain; but if cell a of one domain met cell b of another in every pixel, all pixels would have the same
+    /// error.
     #[inline]
     const fn cell(self, index: u32, count: u32, order: u32) -> (u32, u32) {
+        if count == 1 {
+            return (index, 0);
+        }
+        let (pass, index) = if index < count { (0, index) } else { (index / count, index % count) };
+        let cell = strata::permute(index, count, order.wrapping_add(pass));
         let pixel = self.x.wrapping_mul(0x9e37_79b1) ^ self.y.wrapping_mul(0x85eb_ca77);
-        let pass = index / count;
-        (pass, strata::permute(index, count, hash::combine(order.wrapping_add(pass), pixel)))
+        (pass, strata::turn(cell, count, hash::combine(order, pixel)))
     }
 
     /// Seed of the order in which the pattern is visited: the same for all pixels, which would else see different

@@ -50,7 +50,7 @@ pub extern "C" fn rank(x: u32, y: u32) -> u16 {
 pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
     let mut sum = hash::combine(a, b) ^ hash::owen(a, b) ^ hash::shuffle(a, b);
     sum ^= sobol::dimension(a, b) ^ sobol::owen_point(a, b)[1] ^ torus::offset(a, b, c, a, b)[1];
-    sum ^= strata::permute(a, b, c) ^ strata::jittered_1d(a, b, c) ^ strata::jittered_2d(a, b, c)[1];
+    sum ^= strata::permute(a, b, c) ^ strata::turn(a, b, c) ^ strata::jittered_1d(a, b, c) ^ strata::jittered_2d(a, b, c)[1];
     sum ^= strata::regular_1d(a, b) ^ strata::regular_2d(a, b)[0] ^ shift::global([a, b], [b, c])[1];
     sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
     sum ^ unit::from_f32(unit::to_f32(a)) ^ torus::wrap(a, b)

@@ -1,0 +1,65 @@
+//! The samplers that are compared, one line each, and the pixel loop that all of them run through.
+//!
+//! All samplers share one call shape without a trait, so the loop is a macro's: compiled once for each sampler.
+
+use crate::arguments::Arguments;
+use crate::film::Image;
+use crate::masks::Masks;
+use crate::scene::{Dimensions, Sample, Scene};
+use bluedither::{Constant, Dithered, White};
+
+/// What the numbers are for: different domains are decorrelated.
+const TIME: u32 = 0;
+const LENS: u32 = 1;
+const LIGHT: u32 = 2;
+
+/// One picture to render.
+pub struct Job<'a> {
+    pub scene: &'a Scene,
+    pub masks: &'a Masks,
+    pub dimensions: Dimensions,
+    pub size: [u32; 2],
+    pub spp: u32,
+    pub arguments: &'a Arguments,
+}
+
+macro_rules! samplers {
+    (|$masks:ident, $seed:ident, $spp:ident| $($name:literal => $sampler:expr,)*) => {
+        /// All samplers, in the order of the sheets. A name that begins with a spectrum needs that annealed mask.
+        pub const NAMES: &[&str] = &[$($name),*];
+
+        /// Renders the job with the sampler of that name.
+        pub fn render(name: &str, job: &Job) -> Image {
+            let ($masks, $seed, $spp) = (job.masks, job.arguments.seed, job.spp);
+            match name {
+                $($name => {
+                    let sampler = $sampler;
+                    Image::render(job.size, |x, y| {
+                        let pixel = sampler.pixel(x, y, job.arguments.frame);
+                        let mut sum = glam::Vec3A::ZERO;
+                        for index in 0..job.spp {
+                            let [time] = pixel.draw::<1>(TIME, index);
+                            let lens = pixel.draw::<2>(LENS, index);
+                            let light = pixel.draw::<2>(LIGHT, index);
+                            sum += job.scene.radiance(x, y, Sample { time, lens, light }.only(job.dimensions));
+                        }
+                        sum / job.spp as f32
+                    })
+                })*
+                _ => unreachable!("names are checked when arguments are read"),
+            }
+        }
+    };
+}
+
+samplers! { |masks, seed, spp|
+    "constant" => Constant::with_spp(seed, spp),
+    "white" => White::with_spp(seed, spp),
+    "low-global" => masks.low().dithered(seed).global(),
+    "low-stratified" => masks.low().dithered(seed).stratified(spp),
+    "all-global" => masks.all().dithered(seed).global(),
+    "all-stratified" => masks.all().dithered(seed).stratified(spp),
+    "high-global" => masks.high().dithered(seed).global(),
+    "high-stratified" => masks.high().dithered(seed).stratified(spp),
+    "default" => Dithered::with_spp(seed, spp),
+}
