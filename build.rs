@@ -31,7 +31,6 @@ use bake::inputs::Inputs;
 use bake::recipe::Recipe;
 use bake::record::Digests;
 use effort::Effort;
-use rayon::prelude::*;
 
 fn main() {
     println!("cargo:rerun-if-changed=tables");
@@ -59,7 +58,13 @@ fn bake_all(recipes: &[Recipe], effort: Effort) -> Result<String, String> {
     let inputs = Inputs::read(&tables, &digests)?;
     use_as_many_threads_as_cargo();
     let start = Instant::now();
-    let texts: Vec<String> = recipes.par_iter().map(|&recipe| bake_one(recipe, effort, &inputs, &digests)).collect();
+    let mut texts = vec![String::new(); recipes.len()];
+    rayon::scope(|scope| {
+        for (text, &recipe) in texts.iter_mut().zip(recipes) {
+            let (inputs, digests) = (&inputs, &digests);
+            scope.spawn(move |_| *text = bake_one(recipe, effort, inputs, digests));
+        }
+    });
     println!("baked {} tables at {} effort in {} ms", recipes.len(), effort.name(), start.elapsed().as_millis());
     Ok(texts.concat())
 }

@@ -5,11 +5,11 @@
 /// Masks differ between levels, and are the same on every machine within one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// `quick`: a tenth of the time, for iterating and for emulated hosts.
+    /// `quick`: half the time, for iterating and for emulated hosts.
     Quick,
     /// `normal`, the default: half a second for the default features.
     Normal,
-    /// `thorough`: twenty times as long, about a tenth less error from the offset masks.
+    /// `thorough`: thirty times as long, about a seventh less error from the offset masks.
     Thorough,
 }
 

@@ -24,6 +24,9 @@ use rand::{Rng, SeedableRng};
 pub const LANES: usize = 48;
 /// A feature vector. Magnitudes up to 63 and weights up to 128 keep every sum below within an `i32`.
 pub type Features = [[i32; 8]; LANES / 8];
+/// A vector of the field: two lanes a word, lane 2i + 2³²·lane 2i+1 modulo 2⁶⁴. Sums of such words are the sums of their
+/// lanes, and halve the work of adding.
+type Packed = [[u64; 4]; LANES / 8];
 /// The window reaches this far: weights beyond are below one part in 128.
 pub const RADIUS: usize = 4;
 
@@ -49,9 +52,9 @@ pub fn anneal(
     let window = Window::new(kernel);
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
     let mut items = shuffled(features.len(), &mut rng);
-    let mut field = vec![[[0; 8]; LANES / 8]; items.len()];
+    let mut field: Vec<Packed> = vec![[[0; 4]; LANES / 8]; items.len()];
     for pixel in 0..items.len() {
-        window.splat(&mut field, size_log2, size, pixel, &features[items[pixel] as usize], 1);
+        window.splat(&mut field, size_log2, size, pixel, &pack(&features[items[pixel] as usize]), 1);
     }
 
     // Halves of a tile below 64 pixels would hardly have an inside.
@@ -67,7 +70,7 @@ pub fn anneal(
         field.rotate_left(turn);
         let threshold = ((power * FIRST_THRESHOLD / 1000 * level) >> 16) as i32;
         let seeds = [rng.next_u64(), rng.next_u64()];
-        let sweep = |items: &mut [u16], field: &mut [Features], seed| {
+        let sweep = |items: &mut [u16], field: &mut [Packed], seed| {
             let mut part = Part { features, order, window: &window, items, field, size_log2, rows, margin };
             part.sweep(threshold, level, tries, seed);
         };
@@ -104,7 +107,7 @@ struct Part<'a> {
     order: &'a [u16],
     window: &'a Window,
     items: &'a mut [u16],
-    field: &'a mut [Features],
+    field: &'a mut [Packed],
     size_log2: u32,
     rows: usize,
     margin: usize,
@@ -140,7 +143,7 @@ impl Part<'_> {
                 k += 1;
             }
             if delta < threshold {
-                let change = difference(f_p, f_q);
+                let change = difference(&pack(f_p), &pack(f_q));
                 self.window.splat(self.field, self.size_log2, self.rows, p, &change, 1);
                 self.window.splat(self.field, self.size_log2, self.rows, q, &change, -1);
                 self.items.swap(p, q);
@@ -162,26 +165,60 @@ impl Part<'_> {
     }
 }
 
-#[inline]
-fn part(f_p: &[i32; 8], f_q: &[i32; 8], at_p: &[i32; 8], at_q: &[i32; 8]) -> i32 {
-    (f_q[0] - f_p[0]) * (at_p[0] - at_q[0])
-        + (f_q[1] - f_p[1]) * (at_p[1] - at_q[1])
-        + (f_q[2] - f_p[2]) * (at_p[2] - at_q[2])
-        + (f_q[3] - f_p[3]) * (at_p[3] - at_q[3])
-        + (f_q[4] - f_p[4]) * (at_p[4] - at_q[4])
-        + (f_q[5] - f_p[5]) * (at_p[5] - at_q[5])
-        + (f_q[6] - f_p[6]) * (at_p[6] - at_q[6])
-        + (f_q[7] - f_p[7]) * (at_p[7] - at_q[7])
+/// Eight lanes of (f_q − f_p)·(F_p − F_q).
+fn part(f_p: &[i32; 8], f_q: &[i32; 8], at_p: &[u64; 4], at_q: &[u64; 4]) -> i32 {
+    let word_0 = at_p[0].wrapping_sub(at_q[0]);
+    let word_1 = at_p[1].wrapping_sub(at_q[1]);
+    let word_2 = at_p[2].wrapping_sub(at_q[2]);
+    let word_3 = at_p[3].wrapping_sub(at_q[3]);
+    // A negative low lane has borrowed one from the high lane: its sign bit gives it back.
+    (f_q[0] - f_p[0]) * word_0 as i32
+        + (f_q[1] - f_p[1]) * (word_0.wrapping_add(1 << 31) >> 32) as i32
+        + (f_q[2] - f_p[2]) * word_1 as i32
+        + (f_q[3] - f_p[3]) * (word_1.wrapping_add(1 << 31) >> 32) as i32
+        + (f_q[4] - f_p[4]) * word_2 as i32
+        + (f_q[5] - f_p[5]) * (word_2.wrapping_add(1 << 31) >> 32) as i32
+        + (f_q[6] - f_p[6]) * word_3 as i32
+        + (f_q[7] - f_p[7]) * (word_3.wrapping_add(1 << 31) >> 32) as i32
 }
 
-fn difference(f_p: &Features, f_q: &Features) -> Features {
-    let mut change = *f_q;
-    for (row, old) in change.iter_mut().zip(f_p) {
-        for (a, b) in row.iter_mut().zip(old) {
-            *a -= b;
+fn pack(features: &Features) -> Packed {
+    let mut packed = [[0; 4]; LANES / 8];
+    let mut lane = 0;
+    while lane < LANES {
+        let (low, high) = (features[lane / 8][lane % 8], features[lane / 8][lane % 8 + 1]);
+        packed[lane / 8][lane % 8 / 2] = (low as u64).wrapping_add((high as u64) << 32);
+        lane += 2;
+    }
+    packed
+}
+
+fn difference(p: &Packed, q: &Packed) -> Packed {
+    let mut change = *q;
+    let mut k = 0;
+    while k < LANES / 8 {
+        let mut i = 0;
+        while i < 4 {
+            change[k][i] = q[k][i].wrapping_sub(p[k][i]);
+            i += 1;
         }
+        k += 1;
     }
     change
+}
+
+fn times(change: &Packed, weight: i32) -> Packed {
+    let mut product = *change;
+    let mut k = 0;
+    while k < LANES / 8 {
+        let (to, by) = (&mut product[k], weight as u64);
+        to[0] = to[0].wrapping_mul(by);
+        to[1] = to[1].wrapping_mul(by);
+        to[2] = to[2].wrapping_mul(by);
+        to[3] = to[3].wrapping_mul(by);
+        k += 1;
+    }
+    product
 }
 
 /// Whether each pixel is in the other's window, on the torus of `rows` rows (or is the other).
@@ -194,46 +231,41 @@ fn near(p: usize, q: usize, size_log2: u32, rows: usize) -> bool {
 
 /// The weights around a pixel, without the pixel itself.
 struct Window {
-    cells: Vec<(usize, usize, i32)>,
+    /// Every weight that occurs, with the places where it does.
+    rings: Vec<(i32, Vec<[usize; 2]>)>,
 }
 
 impl Window {
     fn new(kernel: &[i32]) -> Self {
-        let mut cells = Vec::new();
-        for dy in 0..2 * RADIUS + 1 {
-            for dx in 0..2 * RADIUS + 1 {
-                let (x, y) = (dx.abs_diff(RADIUS), dy.abs_diff(RADIUS));
-                let weight = kernel.get(x * x + y * y).copied().unwrap_or(0);
-                if weight != 0 && x + y != 0 {
-                    cells.push((dx.wrapping_sub(RADIUS), dy.wrapping_sub(RADIUS), weight));
-                }
-            }
-        }
-        Self { cells }
+        let ring = |r2: usize| {
+            let side = 2 * RADIUS + 1;
+            let places = (0..side * side).map(|i| [i % side, i / side]);
+            let here = places.filter(|p| p[0].abs_diff(RADIUS).pow(2) + p[1].abs_diff(RADIUS).pow(2) == r2);
+            (kernel[r2], here.map(|p| p.map(|c| c.wrapping_sub(RADIUS))).collect::<Vec<_>>())
+        };
+        Self { rings: (1..kernel.len()).map(ring).filter(|ring| !ring.1.is_empty()).collect() }
     }
 
     /// Adds `sign`·w·`change` to the field around a pixel.
-    fn splat(&self, field: &mut [Features], size_log2: u32, rows: usize, pixel: usize, change: &Features, sign: i32) {
+    fn splat(&self, field: &mut [Packed], size_log2: u32, rows: usize, pixel: usize, change: &Packed, sign: i32) {
         let mask = (1 << size_log2) - 1;
         let (x, y) = (pixel & mask, pixel >> size_log2);
-        let mut c = 0;
-        while c < self.cells.len() {
-            let (dx, dy, weight) = self.cells[c];
-            c += 1;
-            let cell = &mut field[(y.wrapping_add(dy) & (rows - 1)) << size_log2 | (x.wrapping_add(dx) & mask)];
-            let weight = sign * weight;
-            let mut k = 0;
-            while k < LANES / 8 {
-                let (to, by) = (&mut cell[k], &change[k]);
-                to[0] += weight * by[0];
-                to[1] += weight * by[1];
-                to[2] += weight * by[2];
-                to[3] += weight * by[3];
-                to[4] += weight * by[4];
-                to[5] += weight * by[5];
-                to[6] += weight * by[6];
-                to[7] += weight * by[7];
-                k += 1;
+        for (weight, places) in &self.rings {
+            let by = times(change, sign * weight);
+            let mut i = 0;
+            while i < places.len() {
+                let [dx, dy] = places[i];
+                i += 1;
+                let cell = &mut field[(y.wrapping_add(dy) & (rows - 1)) << size_log2 | (x.wrapping_add(dx) & mask)];
+                let mut k = 0;
+                while k < LANES / 8 {
+                    let (to, by) = (&mut cell[k], &by[k]);
+                    to[0] = to[0].wrapping_add(by[0]);
+                    to[1] = to[1].wrapping_add(by[1]);
+                    to[2] = to[2].wrapping_add(by[2]);
+                    to[3] = to[3].wrapping_add(by[3]);
+                    k += 1;
+                }
             }
         }
     }

@@ -70,8 +70,8 @@ impl Recipe {
         let set = features::value_set(self.channels(), self.size_log2);
         let vectors = features::vectors(&set, self.channels(), self.size_log2, columns, &inputs.cosine);
         let proposals = match effort {
-            Effort::Quick => 100,
-            Effort::Normal => 1_000,
+            Effort::Quick => 50,
+            Effort::Normal => 400,
             Effort::Thorough => 20_000,
         };
         let items = anneal::anneal(
