@@ -97,3 +97,8 @@ pub mod warp;
 
 pub use mask::{ScalarMask, VectorMask};
 pub use sampler::{Constant, Dithered, White};
+
+/// The README's examples, compiled.
+#[cfg(all(doctest, feature = "threshold-64", feature = "offset-2d-64"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

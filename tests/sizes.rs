@@ -1,4 +1,4 @@
-//! What a table costs: pinned here, stated in Cargo.toml and in the docs, and the three agree.
+//! What a table costs: pinned here, stated in Cargo.toml, in the docs and in the README, and all agree.
 
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "a test on the host")]
 #![allow(unreachable_pub, dead_code, reason = "shares the bake with build.rs")]
@@ -45,12 +45,13 @@ fn masks_hold_nothing_but_ranks() {
 }
 
 #[test]
-fn manifest_and_docs_state_the_bytes() {
+fn manifest_docs_and_readme_state_the_bytes() {
     // Cargo drops comments from the manifest of a package, and keeps the original beside it.
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let original = std::fs::read_to_string(root.join("Cargo.toml.orig"));
     let manifest = original.or_else(|_| std::fs::read_to_string(root.join("Cargo.toml"))).expect("a manifest");
     let docs = include_str!("../src/lib.rs");
+    let readme = include_str!("../README.md");
     for (feature, bytes) in BYTES {
         let bytes = with_commas(bytes);
         let in_manifest =
@@ -58,6 +59,11 @@ fn manifest_and_docs_state_the_bytes() {
         assert!(manifest.lines().any(in_manifest), "Cargo.toml should state that {feature} costs {bytes} bytes");
         let in_docs = |line: &str| line.contains(&format!("| `{feature}`")) && line.ends_with(&format!("| {bytes} |"));
         assert!(docs.lines().any(in_docs), "lib.rs should state that {feature} costs {bytes} bytes");
+        let (kind, size) = feature.rsplit_once('-').expect("a size");
+        let in_readme = |line: &str| {
+            line.starts_with(&format!("| `{kind}-S`")) && line.replace('*', "").contains(&format!(" {size}: {bytes} "))
+        };
+        assert!(readme.lines().any(in_readme), "README.md should state that {feature} costs {bytes} bytes");
     }
 }
 
