@@ -37,8 +37,8 @@
 //! # What to use when
 //! | you have | take |
 //! |---|---|
-//! | a renderer, 1–9 samples per pixel | [`Dithered::with_spp`] |
-//! | a renderer that stops when it likes | [`Dithered::new`] |
+//! | a renderer, 1–9 samples per pixel | [`Dithered`]`::with_spp` |
+//! | a renderer that stops when it likes | [`Dithered`]`::new` |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | more than 9 samples per pixel | [`White`] |
@@ -68,7 +68,8 @@
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`sobol`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`], [`White`], [`Constant`], and masks of your own.
+//! [`sobol`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), [`White`], [`Constant`], and masks of your
+//! own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
 //! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::anneal::LANES;
 use super::digest::digest;
 use super::features::Column;
-use super::record::Digests;
+use super::record::{Digests, read_text};
 
 /// The contents of `tables/`, checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,12 +79,6 @@ fn integers(tables: &Path, name: &str, digests: &Digests) -> Result<Vec<i64>, St
         Some(recorded) if recorded == digest(list.iter().copied()) => Ok(list),
         _ => Err(damaged(name)),
     }
-}
-
-/// The text of `tables/NAME.txt`.
-pub fn read_text(tables: &Path, name: &str) -> Result<String, String> {
-    std::fs::read_to_string(tables.join(format!("{name}.txt")))
-        .map_err(|error| format!("tables/{name}.txt cannot be read ({error}): restore it from the package"))
 }
 
 fn damaged(name: &str) -> String {

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use super::digest::digest;
-use super::inputs::read_text;
 
 /// Lines of group, name and digest; the group is `input` or a level of effort.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -66,4 +65,10 @@ impl Digests {
          --no-default-features --test rebake -- --ignored write_tables)"
             .into()
     }
+}
+
+/// The text of `tables/NAME.txt`.
+pub fn read_text(tables: &Path, name: &str) -> Result<String, String> {
+    std::fs::read_to_string(tables.join(format!("{name}.txt")))
+        .map_err(|error| format!("tables/{name}.txt cannot be read ({error}): restore it from the package"))
 }
