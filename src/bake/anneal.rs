@@ -22,7 +22,8 @@ use rand::{Rng, SeedableRng};
 
 /// Numbers in a feature vector, in rows that are unrolled by hand: this runs unoptimised in builds of dependents.
 pub const LANES: usize = 48;
-/// A feature vector. Magnitudes up to 63 and weights up to 128 keep every sum below within an `i32`.
+/// A feature vector. Magnitudes up to 63 and neighbours' weights of up to 2818 in all (they are 1808) keep every sum
+/// below within an `i32`.
 pub type Features = [[i32; 8]; LANES / 8];
 /// A vector of the field: two lanes a word, lane 2i + 2³²·lane 2i+1 modulo 2⁶⁴. Sums of such words are the sums of their
 /// lanes, and halve the work of adding.

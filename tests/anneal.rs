@@ -1,0 +1,311 @@
+//! The annealer against a twin that packs nothing and keeps no field, and the features that it is fed.
+#![allow(clippy::cast_possible_truncation, reason = "ranks, coordinates and features are small")]
+#![allow(unreachable_pub, dead_code, reason = "shares the bake with build.rs")]
+
+use std::path::PathBuf;
+
+use bluedither::{effort, sobol, strata};
+use rand::rngs::Xoshiro256PlusPlus;
+use rand::{Rng, SeedableRng};
+
+#[path = "../src/bake/mod.rs"]
+mod bake;
+
+use bake::anneal::{Features, LANES, anneal};
+use bake::features::{Column, value_order, value_set, vectors};
+use bake::inputs::Inputs;
+use bake::record::Digests;
+
+fn inputs() -> Inputs {
+    let tables = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables");
+    Inputs::read(&tables, &Digests::read(&tables).expect("digests")).expect("inputs")
+}
+
+impl Inputs {
+    fn columns(&self, channels: usize) -> &[Column] {
+        if channels == 1 { &self.features_1d } else { &self.features_2d }
+    }
+}
+
+/// What a tile is annealed with.
+struct Problem {
+    size_log2: u32,
+    features: Vec<Features>,
+    order: Vec<u16>,
+    kernel: Vec<i32>,
+}
+
+impl Problem {
+    fn recorded(channels: usize, size_log2: u32) -> Self {
+        let (inputs, set) = (inputs(), value_set(channels, size_log2));
+        let features = vectors(&set, channels, size_log2, inputs.columns(channels), &inputs.cosine);
+        Self { size_log2, features, order: value_order(&set), kernel: inputs.anneal_kernel }
+    }
+
+    fn anneal(&self, proposals: usize, seed: u64) -> Vec<u16> {
+        anneal(self.size_log2, &self.features, &self.order, &self.kernel, proposals, seed)
+    }
+
+    fn lane(&self, item: u16, lane: usize) -> i64 {
+        i64::from(self.features[usize::from(item)][lane / 8][lane % 8])
+    }
+
+    /// F of a pixel, from nothing but the items around it.
+    fn field(&self, items: &[u16], pixel: usize) -> [i64; LANES] {
+        let size = 1i64 << self.size_log2;
+        let mut field = [0; LANES];
+        for dy in -4..=4 {
+            for dx in -4..=4 {
+                let r2 = (dx * dx + dy * dy) as usize;
+                if r2 == 0 || r2 >= self.kernel.len() {
+                    continue;
+                }
+                let x = (pixel as i64 % size + dx).rem_euclid(size);
+                let y = (pixel as i64 / size + dy).rem_euclid(size);
+                let features = self.features[usize::from(items[(y * size + x) as usize])].as_flattened();
+                for (sum, &f) in field.iter_mut().zip(features) {
+                    *sum += i64::from(self.kernel[r2]) * i64::from(f);
+                }
+            }
+        }
+        field
+    }
+
+    /// Σ_{p≠q} w(p−q)⟨f_p, f_q⟩ over the power of the items alone, w(0)Σ‖f‖²: −1 if the filtered image vanished.
+    fn energy(&self, items: &[u16]) -> f64 {
+        let dot = |p: usize| {
+            let field = self.field(items, p);
+            (0..LANES).map(|lane| self.lane(items[p], lane) * field[lane]).sum::<i64>()
+        };
+        let squares: i64 = items.iter().flat_map(|&i| (0..LANES).map(move |l| self.lane(i, l).pow(2))).sum();
+        (0..items.len()).map(dot).sum::<i64>() as f64 / (squares * i64::from(self.kernel[0])) as f64
+    }
+
+    /// The algorithm in one thread, on the whole torus. Returns the items, too, with the number of swaps and the
+    /// largest |Δ| met.
+    fn twin(&self, proposals: usize, seed: u64) -> (Vec<u16>, usize, i64) {
+        let (size, area) = (1usize << self.size_log2, self.features.len());
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut items: Vec<u16> = (0..area).map(|i| i as u16).collect();
+        for i in (1..area as u64).rev() {
+            items.swap(i as usize, (((rng.next_u64() >> 32) * (i + 1)) >> 32) as usize);
+        }
+        let squares: i64 = items.iter().flat_map(|&i| (0..LANES).map(move |l| self.lane(i, l).pow(2))).sum();
+        let power = squares * i64::from(self.kernel[0].abs()) / area as i64;
+        let (halves, margin) = if size < 64 { (1, 0) } else { (2, 4) };
+        let (mut level, mut swaps, mut largest) = (65_536i64, 0, 0);
+        for _ in 0..96 {
+            let turn = (rng.next_u64() >> (64 - self.size_log2)) as usize;
+            items = (0..area).map(|p| items[(p + turn * size) % area]).collect();
+            let threshold = power * 65 / 1000 * level / 65_536;
+            let seeds = [rng.next_u64(), rng.next_u64()];
+            for (half, &seed) in seeds[..halves].iter().enumerate() {
+                let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+                let rows = half * size / halves + margin..(half + 1) * size / halves - margin;
+                let mut pixels: Vec<usize> = (rows.start * size..rows.end * size).collect();
+                let count = pixels.len() as u64;
+                let span = count * level as u64 / 131_072;
+                pixels.sort_by_key(|&p| self.order[usize::from(items[p])]);
+                for _ in 0..proposals * area / halves / 96 {
+                    let bits = rng.next_u64();
+                    let a = ((bits >> 32) * count) >> 32;
+                    let b = (a + 1 + (((bits % (1 << 32)) * span) >> 32)) % count;
+                    let (p, q) = (pixels[a as usize], pixels[b as usize]);
+                    let apart = |p: usize, q: usize| p.abs_diff(q).min(size - p.abs_diff(q));
+                    if apart(p % size, q % size) <= 4 && apart(p / size, q / size) <= 4 {
+                        continue;
+                    }
+                    let (at_p, at_q) = (self.field(&items, p), self.field(&items, q));
+                    let term = |l| (self.lane(items[q], l) - self.lane(items[p], l)) * (at_p[l] - at_q[l]);
+                    let first: i64 = (0..8).map(term).sum();
+                    if first > 4 * threshold {
+                        continue;
+                    }
+                    let delta = first + (8..LANES).map(term).sum::<i64>();
+                    largest = largest.max(delta.abs());
+                    if delta < threshold {
+                        items.swap(p, q);
+                        pixels.sort_by_key(|&p| self.order[usize::from(items[p])]);
+                        swaps += 1;
+                    }
+                }
+            }
+            level = level * 63_509 / 65_536;
+        }
+        (items, swaps, largest)
+    }
+
+    /// Asserts that both say the same; returns what the twin does.
+    fn check(&self, proposals: usize, seed: u64) -> (Vec<u16>, usize, i64) {
+        let twin = self.twin(proposals, seed);
+        let same = self.anneal(proposals, seed) == twin.0;
+        assert!(same, "2^{}, {proposals} proposals, seed {seed}: another mask", self.size_log2);
+        twin
+    }
+}
+
+#[test]
+fn masks_are_those_of_the_twin() {
+    for channels in [1, 2] {
+        let problem = Problem::recorded(channels, 4);
+        for seed in [1, 0x1234_5678_9abc_def0] {
+            let (_, swaps, _) = problem.check(200, seed);
+            assert!(swaps > 500, "{channels}D: {swaps} swaps show little");
+        }
+        problem.check(0, 3);
+        problem.check(1, 3);
+        Problem::recorded(channels, 5).check(40, 4);
+    }
+}
+
+/// From 64 pixels on there are two halves with a margin.
+#[test]
+fn halves_are_those_of_the_twin() {
+    for channels in [1, 2] {
+        let (_, swaps, _) = Problem::recorded(channels, 6).check(8, 5);
+        assert!(swaps > 500, "{channels}D: {swaps} swaps show little");
+    }
+}
+
+/// Other kernels, some without rings and some without symmetry in sign.
+#[test]
+fn other_kernels_make_no_difference() {
+    for kernel in [&[128, 100][..], &[128, 0, 60], &[90, -30, 20, 9, -128, 3, 1, 1, 77], &[128; 25]] {
+        let mut problem = Problem::recorded(2, 4);
+        problem.kernel = kernel.to_vec();
+        problem.check(20, 6);
+    }
+}
+
+#[test]
+fn no_sum_overflows() {
+    let kernel = inputs().anneal_kernel;
+    let offsets = (-4i64..=4).flat_map(|y| (-4i64..=4).map(move |x| (x * x + y * y) as usize));
+    let weights: i64 = offsets.filter(|r2| (1..25).contains(r2)).map(|r2| i64::from(kernel[r2])).sum();
+    // All lanes at once, p's neighbours and q's as unlike as can be.
+    let most = LANES as i64 * 126 * 126 * weights;
+    assert!(most <= i64::from(i32::MAX), "{most}");
+    assert!(48 * 63 * 63 * 128 * 65 / 1000 * 4 <= i64::from(i32::MAX), "the screen");
+
+    // An upended kernel gathers like items: such neighbours do come up. The first eight lanes would screen them off.
+    for first_lanes in [63, 0] {
+        let vector = |i: usize| {
+            let mut vector = [[if i < 128 { 63 } else { -63 }; 8]; LANES / 8];
+            vector[0] = [if i < 128 { first_lanes } else { -first_lanes }; 8];
+            vector
+        };
+        let problem = Problem {
+            size_log2: 4,
+            features: (0..256).map(vector).collect(),
+            // Both kinds alternate: either is within reach to the end.
+            order: (0..256u16).map(|i| i % 128 * 2 + i / 128).collect(),
+            kernel: kernel.iter().map(|weight| -weight).collect(),
+        };
+        let (_, _, largest) = problem.check(100, 7);
+        println!("largest {largest} of {most}");
+        assert!(first_lanes != 0 || largest > most / 2, "{largest} is far from the extreme of {most}");
+    }
+    // One lane low, the next high, at random: borrows between packed lanes.
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(8);
+    let mut extreme = || if rng.next_u64() >> 63 == 0 { 63 } else { -63 };
+    let features = (0..256).map(|_| core::array::from_fn(|_| core::array::from_fn(|_| extreme()))).collect();
+    Problem { size_log2: 4, features, order: (0..256).collect(), kernel }.check(100, 9);
+}
+
+#[test]
+fn items_are_a_permutation() {
+    for size_log2 in 4..=6 {
+        let mut items = Problem::recorded(2, size_log2).anneal(20, 10);
+        items.sort_unstable();
+        assert!(items.iter().enumerate().all(|(i, &item)| i == usize::from(item)), "2^{size_log2}");
+    }
+}
+
+#[test]
+fn more_proposals_lower_the_energy() {
+    for channels in [1, 2] {
+        for size_log2 in [4, 5] {
+            let problem = Problem::recorded(channels, size_log2);
+            let energies = [0, 1, 10, 100, 1000].map(|proposals| problem.energy(&problem.anneal(proposals, 11)));
+            println!("{channels}D 2^{size_log2}: {energies:.4?}");
+            assert!(energies[0].abs() < 0.2, "shuffled items are no noise: {energies:?}");
+            assert!(energies.is_sorted_by(|before, after| before > after), "{energies:?}");
+            assert!(energies[4] < -0.7, "{energies:?}");
+        }
+    }
+}
+
+/// A feature in floating point, and how far it may be off: each number by its rounding. Phases are in steps of
+/// 2π/1024, as the table of cosines has them: that error is part of the definition.
+fn feature(channels: usize, column: &Column, value: [u16; 2], area: f64) -> [f64; 2] {
+    let scale = column.weight as f64 / 1024.0;
+    let term = |i: u32| -> f64 {
+        let point = if channels == 1 {
+            [f64::from(i) / f64::from(column.samples), 0.0]
+        } else {
+            sobol::point(i).map(|x| f64::from(x) / 4_294_967_296.0)
+        };
+        let cosine = |j: usize| {
+            let x = point[j] + (f64::from(value[j]) + 0.5) / area;
+            let steps = (512.0 * f64::from(column.k[j]) * (x - x.floor()) + 0.5).floor();
+            libm::cos(core::f64::consts::PI * steps / 512.0)
+        };
+        cosine(0) * cosine(1)
+    };
+    let samples = f64::from(column.samples);
+    let off = 0.5 + scale * samples * 3.0 / 16384.0;
+    [scale * (0..column.samples).map(term).sum::<f64>(), off]
+}
+
+#[test]
+fn features_are_sums_of_cosines() {
+    let inputs = inputs();
+    for (channels, size_log2) in [(1, 4), (1, 6), (2, 4), (2, 6)] {
+        let (set, columns) = (value_set(channels, size_log2), inputs.columns(channels));
+        let vectors = vectors(&set, channels, size_log2, columns, &inputs.cosine);
+        for (&value, vector) in set.iter().zip(&vectors) {
+            for (column, &found) in columns.iter().zip(vector.as_flattened()) {
+                let [expected, off] = feature(channels, column, value, set.len() as f64);
+                assert!(off < 0.6, "a bound that says little: {off}");
+                let error = (f64::from(found) - expected).abs();
+                assert!(error <= off, "{channels}D, {value:?}, {column:?}: {found} instead of {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn features_stay_below_64() {
+    let inputs = inputs();
+    for channels in [1, 2] {
+        for size_log2 in 4..=7 {
+            let set = value_set(channels, size_log2);
+            let vectors = vectors(&set, channels, size_log2, inputs.columns(channels), &inputs.cosine);
+            let largest = vectors.as_flattened().as_flattened().iter().map(|f| f.abs()).max().expect("features");
+            assert!((32..=63).contains(&largest), "{channels}D, 2^{size_log2}: {largest}");
+        }
+    }
+}
+
+#[test]
+fn neighbours_in_the_order_are_near() {
+    for size_log2 in 4..=7 {
+        let identity: Vec<u16> = (0..=u16::MAX).take(1 << (2 * size_log2)).collect();
+        assert_eq!(value_order(&value_set(1, size_log2)), identity);
+
+        let set = value_set(2, size_log2);
+        let order = value_order(&set);
+        let mut sorted = vec![[0; 2]; set.len()];
+        order.iter().zip(&set).for_each(|(&place, &value)| sorted[usize::from(place)] = value);
+        let mut places = order;
+        places.sort_unstable();
+        assert_eq!(places, identity);
+        // The set is a net: every square of side 2^-k holds a 4^-k part of it, which the order does not leave.
+        for k in 0..=size_log2 {
+            for block in sorted.chunks(set.len() >> (2 * k)) {
+                let square = |value: &[u16; 2]| value.map(|rank| u32::from(rank) >> (2 * size_log2 - k));
+                assert!(block.iter().all(|value| square(value) == square(&block[0])), "2^{size_log2}, k = {k}");
+            }
+        }
+    }
+}
