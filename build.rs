@@ -33,8 +33,8 @@ use bake::record::Digests;
 use effort::Effort;
 
 fn main() {
-    println!("cargo:rerun-if-changed=tables");
-    println!("cargo:rerun-if-env-changed=BLUEDITHER_EFFORT");
+    println!("cargo::rerun-if-changed=tables");
+    println!("cargo::rerun-if-env-changed=BLUEDITHER_EFFORT");
     if let Err(line) = run() {
         println!("cargo::error={line}");
     }
@@ -76,9 +76,9 @@ fn bake_one(recipe: Recipe, effort: Effort, inputs: &Inputs, digests: &Digests) 
     let time = start.elapsed().as_millis();
     let name = recipe.name();
     let gain = bake::quality::gain(&ranks, recipe.channels(), recipe.size());
-    println!("baked {name}: {} bytes, {time} ms, gain {gain:.3} at sigma 1 (white is 1)", recipe.bytes());
+    println!("baked {name}: {} bytes, gain {gain:.3} at sigma 1 (white is 1), {time} ms beside others", recipe.bytes());
     if digests.get(effort.name(), &name) != Some(bake::digest::of_ranks(&ranks)) {
-        println!("cargo:warning={name} differs from its recorded digest: renders will not match other builds' bits");
+        println!("cargo::warning={name} differs from its recorded digest: renders will not match other builds' bits");
     }
     bake::embed::table(recipe, effort, &ranks)
 }

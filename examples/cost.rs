@@ -1,4 +1,4 @@
-//! What a number costs: nanoseconds per number and sampler, and what that is relative to a mask look-up.
+//! What a number costs: nanoseconds per number, for every sampler and for plain mask look-ups.
 //!
 //! `cargo run --release --example cost` renders nothing: it draws all numbers of a 256×256 image in row order, sums
 //! them up, and prints the median of several rounds, which take turns so that a busy moment hits all alike.

@@ -5,11 +5,11 @@
 /// Masks differ between levels, and are the same on every machine within one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// `quick`: half the time, for iterating and for emulated hosts.
+    /// `quick`: an eighth of the swaps, for iterating and for emulated hosts.
     Quick,
     /// `normal`, the default: half a second for the default features.
     Normal,
-    /// `thorough`: thirty times as long, about a seventh less error from the offset masks.
+    /// `thorough`: fifty times the swaps of normal, about a seventh less error from the offset masks.
     Thorough,
 }
 

@@ -8,7 +8,7 @@
 //! - Masks pay off at 1 to 9 samples per pixel and where the picture is smooth over a few pixels; with more samples,
 //!   or at edges and in fine texture, the error turns white. From 16 samples on, the Owen-scrambled points of [`White`]
 //!   are as good or better.
-//! - A tile of S×S pixels repeats: 64×64 by default.
+//! - A tile of S×S pixels repeats: 64×64 by default. (Only the order in which a pixel visits strata does not.)
 //! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white.
 //! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
 //!
@@ -77,6 +77,7 @@
 //! # Vocabulary
 //! *rank*: position of a pixel in a mask's order · *shift*: of values, modulo 1 · *offset*: of coordinates, toroidal;
 //! also, as in the literature, the shift that a mask holds · *scramble*: bits · *permute*, *shuffle*: order ·
+//! *turn*: shift of cells modulo their count ·
 //! *domain*: purpose of a draw · *index*: sample number · *frame*: time · *bake*: optimise and write.
 //! Postfixes: `_fx` 0.32 fixed point, `_log2`, `_rev` bit-reversed.
 #![no_std]

@@ -75,6 +75,7 @@ pub const fn permute(index: u32, count: u32, seed: u32) -> u32 {
     if bits == 0 {
         return 0;
     }
+    let seed = crate::hash::mix(seed);
     let mut cell = wrap(index, count);
     loop {
         // Without the shuffle the first digit of the cell would be the last of the index for every seed: two domains

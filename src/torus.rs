@@ -13,7 +13,8 @@ pub const fn wrap(coordinate: u32, size: u32) -> u32 {
 /// Different domains and frames read the same tile at different places. Moving the *place* keeps a tile's spectrum
 /// exactly; adding a constant to its *values* does not (half of the blueness is gone). Successive domains step along
 /// the R2 sequence (M. Roberts 2018), and 100 of them, as 100 frames, stay 4 pixels or more of a 64² tile apart; so do
-/// all of 16 domains in 4 frames, 8 in 8 and 4 in 16. `pad` (0 or 1) is the second pair of a domain's four dimensions.
+/// all of 16 domains in 4 frames, 8 in 8 and 4 in 16, and, 2.5 pixels or more, the second pairs (`pad` = 1) of their four
+/// dimensions. Number domains 0, 1, 2, …: two large unrelated numbers may meet, with a chance of one in the tile's pixels.
 /// `size_log2` above 32 counts as 32.
 #[inline]
 #[must_use]
@@ -22,7 +23,7 @@ pub const fn offset(seed: u32, domain: u32, pad: u32, frame: u32, size_log2: u32
     // distance. (The R2 step turned by a right angle puts domain 7 of frame 0 beside domain 0 of frame 4.)
     const DOMAIN: [u32; 2] = [0xc13f_a9a9, 0x91e1_0da5];
     const FRAME: [u32; 2] = [0x9003_ec6d, 0x1241_0809];
-    const PAD: [u32; 2] = [0x8a0c_7e98, 0x1339_b8c0];
+    const PAD: [u32; 2] = [0xb3f5_166e, 0x95a7_a918];
     let start = crate::hash::mix(seed);
     let starts = [start, crate::hash::mix(start)];
     let mut place = [0; 2];

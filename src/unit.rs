@@ -3,7 +3,7 @@
 //! All arithmetic of the crate stays in fixed point, where a sum wraps exactly and a mean is exact. Floats are made
 //! last and rounded *down*, since rounding to nearest turns every value above 1 − 2⁻²⁵ into 1.0.
 
-/// The `f32` in [0, 1) just below a 0.32 fixed-point number: its upper 24 bits, exactly.
+/// The `f32` in [0, 1) at or just below a 0.32 fixed-point number: its upper 24 bits, exactly.
 ///
 /// Multiples of 2⁻²⁴; the largest is 1 − 2⁻²⁴. A shift, a conversion and a multiplication.
 #[inline]

@@ -6,7 +6,7 @@
 
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-/// A point of the unit disk, uniform: |p| ≤ 1.
+/// A point of the unit disk, uniform: |p| ≤ 1 up to rounding.
 ///
 /// Concentric squares to concentric circles (Shirley and Chiu 1997): continuous, little distortion.
 #[inline]

@@ -269,3 +269,55 @@ fn offset_masks_at_normal_effort() {
 fn offset_masks_at_thorough_effort() {
     offset_masks(Effort::Thorough);
 }
+
+/// Masks can be good and be read at the wrong places: the shipped sampler itself.
+#[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
+mod shipped {
+    use super::*;
+    use bluedither::Dithered;
+
+    fn judge(name: &str, sampler: impl Fn(u32) -> Dithered<'static>) -> [[Relative; 2]; 3] {
+        print_header(name, 64);
+        SPP.map(|spp| {
+            let (sampler, domain) = (sampler(spp), 3);
+            let single = |x, y, index| unit::to_f64(sampler.pixel(x, y, 1).draw_fx::<1>(domain, index)[0]);
+            let pair = |x, y, index| sampler.pixel(x, y, 1).draw_fx::<2>(domain, index).map(unit::to_f64);
+            let image_1d = |f: &Integrand1| ErrorImage::of_samples(64, spp, f, single);
+            let image_2d = |f: &Integrand2| ErrorImage::of_samples(64, spp, f, pair);
+            let families_1d = [evaluation_smooth_1d(), evaluation_step_1d()];
+            let families_2d = [evaluation_smooth_2d(), evaluation_half_plane_2d()];
+            let [smooth, step] = families_1d.map(|family| family.iter().map(image_1d).collect::<Vec<_>>());
+            let in_1d = relative(spp, &smooth, &step, false);
+            let [smooth, step] = families_2d.map(|family| family.iter().map(image_2d).collect::<Vec<_>>());
+            let in_2d = relative(spp, &smooth, &step, true);
+            print_row(&in_1d);
+            print_row(&in_2d);
+            [in_1d, in_2d]
+        })
+    }
+
+    #[test]
+    fn dithered_with_spp_is_blue() {
+        for ([in_1d, in_2d], bound) in
+            judge("Dithered::with_spp", |spp| Dithered::with_spp(7, spp)).iter().zip(VECTOR_NORMAL)
+        {
+            // Strata keep the threshold mask's own blueness at every count.
+            assert_below("smooth 1D", in_1d.spp, in_1d.smooth, [0.20, 0.03]);
+            if bluedither::tables::EFFORT != Effort::Quick {
+                assert_below("smooth 2D", in_2d.spp, in_2d.smooth, bound);
+            }
+            assert_below("smooth 2D at any effort", in_2d.spp, in_2d.smooth, [0.60, 0.40]);
+        }
+    }
+
+    #[test]
+    fn dithered_without_spp_is_blue() {
+        for ([in_1d, in_2d], bound) in judge("Dithered::new", |_| Dithered::new(8)).iter().zip(VECTOR_NORMAL) {
+            // Moved as a whole, the threshold mask fades in 1D: this is no bound, but it is not white before 16.
+            assert!(in_1d.smooth[0] < if in_1d.spp < 16 { 0.75 } else { 1.1 }, "{in_1d:?}");
+            if bluedither::tables::EFFORT != Effort::Quick {
+                assert_below("smooth 2D", in_2d.spp, in_2d.smooth, bound);
+            }
+        }
+    }
+}

@@ -72,14 +72,18 @@ fn embedded_tables_are_as_recorded() {
 fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     #[allow(unused_mut, reason = "without a mask feature there is no mask")]
     let mut all = Vec::new();
+    let mut known = Vec::new();
     macro_rules! table {
-        ($feature:literal, $name:literal, $table:ident, scalar) => {
+        ($feature:literal, $name:literal, $table:ident, $kind:ident) => {
+            known.push($name.to_string());
             #[cfg(feature = $feature)]
-            all.push(($name, bluedither::tables::$table.ranks().as_flattened().to_vec()));
+            all.push(($name, table!($table, $kind)));
         };
-        ($feature:literal, $name:literal, $table:ident, vector) => {
-            #[cfg(feature = $feature)]
-            all.push(($name, bluedither::tables::$table.ranks().as_flattened().as_flattened().to_vec()));
+        ($table:ident, scalar) => {
+            bluedither::tables::$table.ranks().as_flattened().to_vec()
+        };
+        ($table:ident, vector) => {
+            bluedither::tables::$table.ranks().as_flattened().as_flattened().to_vec()
         };
     }
     table!("threshold-16", "threshold_16", THRESHOLD_16, scalar);
@@ -95,6 +99,11 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     table!("offset-2d-32", "offset_2d_32", OFFSET_2D_32, vector);
     table!("offset-2d-64", "offset_2d_64", OFFSET_2D_64, vector);
     table!("offset-2d-128", "offset_2d_128", OFFSET_2D_128, vector);
+    assert_eq!(
+        known,
+        bake::recipe::all().into_iter().map(Recipe::name).collect::<Vec<_>>(),
+        "a recipe without a line here"
+    );
     all
 }
 

@@ -161,6 +161,34 @@ fn strata_of_two_domains_meet_in_every_way_over_the_pixels() {
     }
 }
 
+/// Past its `spp` a sampler goes on, and what it has drawn converges: domains, and pads, do not move in step.
+#[test]
+fn samples_beyond_spp_converge_jointly() {
+    let (scalar, vector) = (scalar_mask(), vector_mask());
+    let count = 4096;
+    for spp in [1, 2, 3, 4, 8] {
+        for (name, squares) in [("strata", true), ("single strata", false)] {
+            let mut worst: f64 = 0.0;
+            for seed in 0..24 {
+                let sampler = Dithered::with_masks(&scalar, &vector, seed);
+                let sampler = if squares { sampler.stratified(spp) } else { sampler.stratified_1d(spp) };
+                let pixel = sampler.pixel(seed * 7, seed * 13, 0);
+                let (mut singles, mut pads) = (0.0, 0.0);
+                for index in 0..count {
+                    let [[a], [b]] = [0, 1].map(|domain| pixel.draw_fx::<1>(domain, index).map(unit::to_f64));
+                    let four = pixel.draw_fx::<4>(2, index).map(unit::to_f64);
+                    singles += a * b;
+                    pads += four[0] * four[2];
+                }
+                worst = worst.max((singles / f64::from(count) - 0.25).abs());
+                worst = worst.max((pads / f64::from(count) - 0.25).abs());
+            }
+            // 4096 independent samples scatter by .0034.
+            assert!(worst < 0.012, "{name}, {spp} spp: {worst} off after {count} samples");
+        }
+    }
+}
+
 #[test]
 fn a_tile_repeats_and_negative_coordinates_go_on() {
     let (scalar, vector) = (scalar_mask(), vector_mask());

@@ -231,12 +231,25 @@ fn every_index_meets_every_cell_equally_often() {
         let mut hits = vec![0u32; (count * count) as usize];
         for seed in 0..rounds {
             for index in 0..count {
-                hits[(index * count + permute(index, count, mix(seed))) as usize] += 1;
+                hits[(index * count + permute(index, count, seed)) as usize] += 1;
             }
         }
         let expected = f64::from(rounds) / f64::from(count);
         let worst = hits.iter().map(|&n| (f64::from(n) - expected).abs() / expected.sqrt()).fold(0.0, f64::max);
         assert!(worst < 5.0, "{count}: a cell is {worst:.1} standard deviations off");
+    }
+}
+
+#[test]
+fn first_and_last_meet_in_every_way() {
+    // Over plain seeds, as users count them.
+    for count in [4u32, 8, 16] {
+        let mut met = vec![false; (count * count) as usize];
+        for seed in 0..20_000 {
+            met[(permute(0, count, seed) * count + permute(count - 1, count, seed)) as usize] = true;
+        }
+        let pairs = met.iter().filter(|&&pair| pair).count() as u32;
+        assert_eq!(pairs, count * (count - 1), "{count}: pairs of cells that occur");
     }
 }
 

@@ -14,7 +14,7 @@
 //! ```
 //! A far value is a step too large late in the day: the falling reach saves two thirds of the proposals. Threshold
 //! accepting (Dueck and Scheuer 1990) ends where Metropolis does and needs no logarithm. All numbers are integers: the
-//! same tile on every machine. For two threads the rows are rotated and cut into two halves, each of which swaps only
+//! same tile on every machine. For two threads the rows are moved round and cut into two halves, each of which swaps only
 //! pixels whose window lies inside.
 
 use rand::rngs::Xoshiro256PlusPlus;

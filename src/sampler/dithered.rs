@@ -23,6 +23,10 @@ pub struct Dithered<'a, const S: usize = 64> {
 #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
 impl Dithered<'static, 64> {
     /// Samples per pixel unknown: the sequence goes on for as long as it is asked, offset globally.
+    ///
+    /// Pairs are as blue as by [`with_spp`](Self::with_spp); single dimensions fade sooner, since the threshold mask is
+    /// made for one number a pixel. For many of those, take `with_masks(&OFFSET_1D_64, &OFFSET_2D_64, seed)`, whose
+    /// scalar mask is made for 1, 4 and 16.
     #[inline]
     #[must_use]
     pub const fn new(seed: u32) -> Self {
@@ -137,10 +141,14 @@ impl<const S: usize> DitheredPixel<'_, S> {
     #[inline]
     const fn cell(self, index: u32, count: u32, order: u32) -> (u32, u32) {
         if count == 1 {
-            return (index, 0);
+            return (hash::shuffle(index, order), 0);
         }
-        let (pass, index) = if index < count { (0, index) } else { (index / count, index % count) };
-        let cell = strata::permute(index, count, order.wrapping_add(pass));
+        // In an order of the domain's own: the place in a cell depends on the pass, and two domains that went from place
+        // to place together would stay on a diagonal for ever.
+        let (pass, index) =
+            if index < count { (0, index) } else { (hash::shuffle(index / count, order), index % count) };
+        let cell = strata::permute(index, count, hash::combine(order, pass));
+        // Two odd constants of no meaning, for a number that differs between the pixels of a screen.
         let pixel = self.x.wrapping_mul(0x9e37_79b1) ^ self.y.wrapping_mul(0x85eb_ca77);
         (pass, strata::turn(cell, count, hash::combine(order, pixel)))
     }

@@ -38,8 +38,9 @@ macro_rules! call_shape {
         impl<$($generics)*> $pixel {
             /// Sample `index` for purpose `domain`: D = 1..4 numbers in 0.32 fixed point. More is a compile error.
             ///
-            /// Components 0 and 1 are the optimised pair of the domain, 2 and 3 a padded second pair. This is the
-            /// definition; [`draw`](Self::draw) is derived from it.
+            /// From D = 2 on, components 0 and 1 are the optimised pair of the domain, 2 and 3 a padded second pair; a
+            /// component without a partner is drawn as a single dimension and need not equal the first of a pair. This is
+            /// the definition; [`draw`](Self::draw) is derived from it. Number domains 0, 1, 2, …
             #[inline]
             #[must_use]
             pub fn draw_fx<const D: usize>(self, domain: u32, index: u32) -> [u32; D] {

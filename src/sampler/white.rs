@@ -3,7 +3,7 @@
 use super::{call_shape, domain_seed};
 use crate::{hash, sobol};
 
-/// Independent Owen-scrambled Sobol points in every pixel: the best per-pixel error, spread as white noise.
+/// Owen-scrambled Sobol points under a seed of every pixel's own: the best per-pixel error, spread as white noise.
 #[derive(Clone, Copy, Debug)]
 pub struct White {
     seed: u32,
@@ -29,8 +29,9 @@ impl White {
     #[inline]
     #[must_use]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> WhitePixel {
+        // x is hashed first: added as it is, two rows with near seeds would be shifted copies.
         let row = hash::combine(hash::combine(self.seed, frame), y);
-        WhitePixel { seed: hash::combine(row, x) }
+        WhitePixel { seed: hash::combine(row, hash::mix(x)) }
     }
 }
 
