@@ -1,6 +1,6 @@
 //! The command line.
 
-use crate::masks::Spectrum;
+use crate::energy::Spectrum;
 use crate::samplers;
 use crate::scene::Dimensions;
 use clap::builder::PossibleValuesParser;
@@ -11,20 +11,20 @@ use std::path::PathBuf;
 #[derive(Parser)]
 #[command(name = "render", after_help = EXAMPLE)]
 pub struct Arguments {
-    /// Size in pixels, "384x256" or "384" (then 3:2), 64 to 2048 a side
+    /// Size in pixels, "384x256" or "384" (then 3:2); both sides 64 to 2048
     #[arg(long, default_value = "384x256", value_parser = size)]
     pub size: [u32; 2],
 
     /// Samples per pixel, a list, each 1 to 1024
     #[arg(long, default_value = "1,4,9,16", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=1024))]
-    pub spp: Vec<u32>,
+    spp: Vec<u32>,
 
     /// Samplers, a list; "white" is always among them, since the others are measured against it
-    #[arg(long, value_delimiter = ',', value_parser = PossibleValuesParser::new(samplers::NAMES))]
+    #[arg(long, alias = "sampler", value_delimiter = ',', value_parser = PossibleValuesParser::new(samplers::NAMES))]
     samplers: Vec<String>,
 
     /// What is sampled, a list; the rest stays at its centre
-    #[arg(long, default_value = "all", value_delimiter = ',')]
+    #[arg(long, alias = "dimension", default_value = "all", value_delimiter = ',')]
     dimensions: Vec<Dimension>,
 
     /// Seed of the samplers, the masks and the reference
@@ -60,6 +60,14 @@ enum Dimension {
 }
 
 impl Arguments {
+    /// The sample counts, each once, the least first.
+    pub fn spp(&self) -> Vec<u32> {
+        let mut spp = self.spp.clone();
+        spp.sort_unstable();
+        spp.dedup();
+        spp
+    }
+
     /// The chosen samplers in the order of the sheets.
     pub fn samplers(&self) -> Vec<&'static str> {
         let chosen =
@@ -90,6 +98,6 @@ fn size(text: &str) -> Result<[u32; 2], String> {
     if size.iter().all(|side| (64..=2048).contains(side)) {
         Ok(size)
     } else {
-        Err(format!("{}x{} is not within 64 and 2048 pixels a side", size[0], size[1]))
+        Err(format!("{}x{}: both sides must be within 64 and 2048 pixels", size[0], size[1]))
     }
 }

@@ -63,7 +63,7 @@ fn run(arguments: &arguments::Arguments) -> Result<(), Box<dyn Error>> {
 
     println!("{}", results::HEADING);
     let mut rows = Vec::new();
-    for &spp in &arguments.spp {
+    for spp in arguments.spp() {
         let job = samplers::Job { scene: &scene, masks: &masks, dimensions, size, spp, arguments };
         let mut row = Vec::new();
         for name in &names {

@@ -1,21 +1,13 @@
 //! The published masks (Georgiev and Fajardo 2016), annealed at start: a scalar one for time and a two-channel one for
 //! lens and light, of low, all and high frequencies.
 
-use crate::energy::{self, Distance};
+use crate::energy::{self, Distance, Spectrum};
 use crate::progress::Progress;
 use bluedither::{Dithered, ScalarMask, VectorMask};
 use rayon::prelude::*;
 
 /// Side of the masks in pixels.
 const SIZE: usize = 64;
-
-/// Which frequencies of the screen a mask is made of.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Spectrum {
-    Low,
-    All,
-    High,
-}
 
 /// The two masks of one spectrum.
 pub struct Pair {
@@ -77,11 +69,6 @@ impl Masks {
 }
 
 fn anneal<const D: usize>(spectrum: Spectrum, swaps: u32, seed: u32, progress: &Progress) -> energy::Annealed<D> {
-    let spectrum = match spectrum {
-        Spectrum::Low => energy::Spectrum::Low,
-        Spectrum::All => energy::Spectrum::All,
-        Spectrum::High => energy::Spectrum::High,
-    };
     let mut done = 0;
     let mut advance = |share: f32| {
         let percent = (share * 100.0) as usize;
