@@ -3,7 +3,7 @@
 
 use bluedither::{sobol, torus};
 
-#[path = "../src/bake/energy.rs"]
+#[path = "../src/bake/energy/mod.rs"]
 mod energy;
 
 use core::f64::consts::E;

@@ -22,7 +22,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 mod arguments;
-#[path = "../../src/bake/energy.rs"]
+#[path = "../../src/bake/energy/mod.rs"]
 #[allow(dead_code, reason = "not this program's: tests use the rest")]
 mod energy;
 mod film;
