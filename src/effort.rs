@@ -9,7 +9,7 @@ pub enum Effort {
     Quick,
     /// `normal`, the default: half a second for the default features.
     Normal,
-    /// `thorough`: fifty times the swaps of normal, about a seventh less error from the offset masks.
+    /// `thorough`: fifty times the swaps of normal, about a seventh to a fifth less error from the offset masks.
     Thorough,
 }
 
