@@ -1,0 +1,83 @@
+//! The call shape: one definition for every length, total, pure. Of every sampler.
+
+#![allow(clippy::cast_possible_truncation, reason = "sizes of small loops")]
+
+mod analysis;
+mod common;
+
+use bluedither::unit;
+use common::{EXTREMES, for_every_sampler};
+use proptest::prelude::*;
+
+#[test]
+fn draws_of_every_length_agree() {
+    for spp in [1, 4, 7] {
+        for_every_sampler!(3, spp, |name, sampler| {
+            for (x, y, frame, domain, index) in [(0, 0, 0, 0, 0), (5, 9, 2, 3, 1), (70, 64, 1, 0, 6), (1, 2, 3, 4, 100)]
+            {
+                let pixel = sampler.pixel(x, y, frame);
+                let four = pixel.draw_fx::<4>(domain, index);
+                assert_eq!(pixel.draw_fx::<2>(domain, index), four[..2], "{name}");
+                assert_eq!(pixel.draw_fx::<3>(domain, index)[..2], four[..2], "{name}");
+                assert_eq!(pixel.draw::<1>(domain, index), unit::to_f32s(pixel.draw_fx::<1>(domain, index)), "{name}");
+                assert_eq!(pixel.draw::<2>(domain, index), unit::to_f32s(pixel.draw_fx::<2>(domain, index)), "{name}");
+                assert_eq!(pixel.draw::<3>(domain, index), unit::to_f32s(pixel.draw_fx::<3>(domain, index)), "{name}");
+                assert_eq!(pixel.draw::<4>(domain, index), unit::to_f32s(four), "{name}");
+            }
+        });
+    }
+}
+
+#[test]
+fn every_argument_is_defined() {
+    for (seed, spp) in EXTREMES.into_iter().flat_map(|seed| [4, 7, 0x8000_0000, u32::MAX].map(|spp| (seed, spp))) {
+        for_every_sampler!(seed, spp, |name, sampler| {
+            for a in EXTREMES {
+                for b in EXTREMES {
+                    for c in EXTREMES {
+                        // Each argument meets each extreme beside each of the others.
+                        for [x, frame, domain, index] in [[a, b, c, a], [a, b, a, c], [b, a, c, c], [c, b, b, a]] {
+                            let pixel = sampler.pixel(x, frame ^ a, frame);
+                            let all = pixel.draw::<4>(domain, index);
+                            assert!(all.iter().all(|v| (0.0..1.0).contains(v)), "{name}: {all:?}");
+                            assert!((0.0..1.0).contains(&pixel.draw::<1>(domain, index)[0]), "{name}");
+                            assert!((0.0..1.0).contains(&pixel.draw::<3>(domain, index)[2]), "{name}");
+                        }
+                    }
+                }
+            }
+        });
+    }
+}
+
+#[test]
+fn no_samples_per_pixel_count_as_one() {
+    let all = |spp| {
+        let mut draws = Vec::new();
+        for_every_sampler!(1, spp, |name, sampler| {
+            for index in [0, 1, 2, 100, u32::MAX] {
+                let pixel = sampler.pixel(3, 4, 5);
+                draws.push((name, index, pixel.draw_fx::<4>(6, index), pixel.draw_fx::<1>(6, index)));
+            }
+        });
+        draws
+    };
+    assert_eq!(all(0), all(1));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 200, ..ProptestConfig::default() })]
+
+    #[test]
+    fn draws_are_pure_and_below_one(seed: u32, x: u32, y: u32, frame: u32, domain: u32, index: u32, spp: u32) {
+        for_every_sampler!(seed, spp, |name, sampler| {
+            let pixel = sampler.pixel(x, y, frame);
+            let all = pixel.draw::<4>(domain, index);
+            prop_assert!(all.iter().all(|v| (0.0..1.0).contains(v)), "{}", name);
+            // Asked again, of a copy, after another question.
+            let copy = pixel;
+            _ = pixel.draw::<3>(domain ^ 1, index ^ 1);
+            prop_assert_eq!(copy.draw::<4>(domain, index), all, "{}", name);
+        });
+    }
+}
