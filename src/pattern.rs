@@ -3,18 +3,15 @@
 /// Up to `CAPACITY` points of D numbers in [0, 1).
 pub type Pattern<const D: usize, const CAPACITY: usize> = heapless::Vec<[f32; D], CAPACITY>;
 
-/// The first min(count, CAPACITY) samples that `draw` gives.
+/// min(count, CAPACITY) points at the origin, to be filled.
 #[inline]
 #[must_use]
-pub fn collect<const D: usize, const CAPACITY: usize>(
-    count: u32,
-    mut draw: impl FnMut(u32) -> [f32; D],
-) -> Pattern<D, CAPACITY> {
+pub(crate) fn of_length<const D: usize, const CAPACITY: usize>(count: u32) -> Pattern<D, CAPACITY> {
     let mut pattern = Pattern::new();
-    let mut index = 0;
+    let mut filled = 0;
     // The push cannot fail; asking it as well leaves no check that could panic.
-    while index < count && !pattern.is_full() && pattern.push(draw(index)).is_ok() {
-        index += 1;
+    while filled < count && pattern.push([0.0; D]).is_ok() {
+        filled += 1;
     }
     pattern
 }

@@ -29,6 +29,30 @@ fn draws_of_every_length_agree() {
 }
 
 #[test]
+fn a_fill_is_the_draws_from_any_index_on() {
+    fn check<const D: usize>(name: &str, draw: impl Fn(u32) -> [u32; D], fill: impl Fn(u32, &mut [[u32; D]])) {
+        for (first, length) in [(0, 0), (0, 1), (0, 7), (3, 9), (250, 12), (u32::MAX - 2, 6)] {
+            let mut samples = vec![[0; D]; length];
+            fill(first, &mut samples);
+            let drawn = (0..length as u32).map(|i| draw(first.wrapping_add(i)));
+            assert!(samples.into_iter().eq(drawn), "{name}: {length} samples of {D} numbers from {first} on");
+        }
+    }
+    for spp in [1, 4, 7] {
+        for_every_sampler!(3, spp, |name, sampler| {
+            let pixel = sampler.pixel(5, 9, 2);
+            check::<1>(name, |i| pixel.draw_fx(4, i), |first, samples| pixel.fill_fx(4, first, samples));
+            check::<2>(name, |i| pixel.draw_fx(4, i), |first, samples| pixel.fill_fx(4, first, samples));
+            check::<3>(name, |i| pixel.draw_fx(4, i), |first, samples| pixel.fill_fx(4, first, samples));
+            check::<4>(name, |i| pixel.draw_fx(4, i), |first, samples| pixel.fill_fx(4, first, samples));
+            let mut floats = [[0.0; 3]; 5];
+            pixel.fill(4, 2, &mut floats);
+            assert!((2..7).map(|i| pixel.draw(4, i)).eq(floats), "{name}");
+        });
+    }
+}
+
+#[test]
 fn every_argument_is_defined() {
     for (seed, spp) in EXTREMES.into_iter().flat_map(|seed| [4, 7, 0x8000_0000, u32::MAX].map(|spp| (seed, spp))) {
         for_every_sampler!(seed, spp, |name, sampler| {

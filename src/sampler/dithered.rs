@@ -99,31 +99,17 @@ pub struct DitheredPixel<'a, const S: usize = 64> {
 
 impl<const S: usize> DitheredPixel<'_, S> {
     #[inline]
-    fn single_fx(self, domain: u32, pad: u32, index: u32) -> u32 {
+    fn single(self, domain: u32, pad: u32) -> DitheredSingle {
         let (x, y) = self.place(domain, pad);
-        let offset = self.sampler.scalar.value_fx(x, y);
-        let order = self.order(domain, pad);
-        match self.sampler.strata_1d {
-            0 => sobol::dimension_0(hash::shuffle(index, order)).wrapping_add(offset),
-            count => {
-                let (pass, cell) = self.cell(index, count, order);
-                shift::stratified_1d(cell, count, sobol::dimension_0(pass), offset)
-            }
-        }
+        let order = self.order(domain, pad, self.sampler.strata_1d);
+        DitheredSingle { order, offset: self.sampler.scalar.value_fx(x, y) }
     }
 
     #[inline]
-    fn pair_fx(self, domain: u32, pad: u32, index: u32) -> [u32; 2] {
+    fn pair(self, domain: u32, pad: u32) -> DitheredPair {
         let (x, y) = self.place(domain, pad);
-        let offset = self.sampler.vector.value_fx(x, y);
-        let order = self.order(domain, pad);
-        match self.sampler.strata_2d {
-            0 => shift::global(sobol::point(hash::shuffle(index, order)), offset),
-            count => {
-                let (pass, cell) = self.cell(index, count, order);
-                shift::stratified_2d(cell, count, sobol::point(pass), offset)
-            }
-        }
+        let order = self.order(domain, pad, self.sampler.strata_2d);
+        DitheredPair { order, offset: self.sampler.vector.value_fx(x, y) }
     }
 
     /// Where the mask is read.
@@ -133,31 +119,78 @@ impl<const S: usize> DitheredPixel<'_, S> {
         (self.x.wrapping_add(dx), self.y.wrapping_add(dy))
     }
 
-    /// After `count` samples the strata are filled again, between what is there: the pass, and the cell in it.
-    ///
+    #[inline]
+    const fn order(self, domain: u32, pad: u32, strata: u32) -> Order {
+        let seed = hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame);
+        // Two odd constants of no meaning, for a number that differs between the pixels of a screen.
+        let pixel = self.x.wrapping_mul(0x9e37_79b1) ^ self.y.wrapping_mul(0x85eb_ca77);
+        Order { seed, strata, turn: hash::combine(seed, pixel) }
+    }
+}
+
+/// The order in which a pixel visits the pattern.
+#[derive(Clone, Copy)]
+struct Order {
+    /// The same for all pixels, which would else see different points after fewer samples than 2ᵏ.
+    seed: u32,
+    /// 0: the Sobol pattern as a whole.
+    strata: u32,
     /// Every pixel turns the order of the cells by a number of its own. All of them are visited, so this changes nothing
     /// within a domain; but if cell a of one domain met cell b of another in every pixel, all pixels would have the same
     /// error.
+    turn: u32,
+}
+
+impl Order {
+    /// After as many samples as strata these are filled again, between what is there: the pass, and the cell in it.
     #[inline]
-    const fn cell(self, index: u32, count: u32, order: u32) -> (u32, u32) {
+    const fn cell(self, index: u32) -> (u32, u32) {
+        let Self { seed, strata: count, turn } = self;
         if count == 1 {
-            return (hash::shuffle(index, order), 0);
+            return (hash::shuffle(index, seed), 0);
         }
         // In an order of the domain's own: the place in a cell depends on the pass, and two domains that went from place
         // to place together would stay on a diagonal for ever.
         let (pass, index) =
-            if index < count { (0, index) } else { (hash::shuffle(index / count, order), index % count) };
-        let cell = strata::permute(index, count, hash::combine(order, pass));
-        // Two odd constants of no meaning, for a number that differs between the pixels of a screen.
-        let pixel = self.x.wrapping_mul(0x9e37_79b1) ^ self.y.wrapping_mul(0x85eb_ca77);
-        (pass, strata::turn(cell, count, hash::combine(order, pixel)))
+            if index < count { (0, index) } else { (hash::shuffle(index / count, seed), index % count) };
+        let cell = strata::permute(index, count, hash::combine(seed, pass));
+        (pass, strata::turn(cell, count, turn))
     }
+}
 
-    /// Seed of the order in which the pattern is visited: the same for all pixels, which would else see different
-    /// points after fewer samples than 2ᵏ.
+/// One dimension of a domain.
+#[derive(Clone, Copy)]
+struct DitheredSingle {
+    order: Order,
+    offset: u32,
+}
+
+impl DitheredSingle {
     #[inline]
-    const fn order(self, domain: u32, pad: u32) -> u32 {
-        hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame)
+    const fn at(self, index: u32) -> u32 {
+        if self.order.strata == 0 {
+            return sobol::dimension_0(hash::shuffle(index, self.order.seed)).wrapping_add(self.offset);
+        }
+        let (pass, cell) = self.order.cell(index);
+        shift::stratified_1d(cell, self.order.strata, sobol::dimension_0(pass), self.offset)
+    }
+}
+
+/// The pair of a domain.
+#[derive(Clone, Copy)]
+struct DitheredPair {
+    order: Order,
+    offset: [u32; 2],
+}
+
+impl DitheredPair {
+    #[inline]
+    fn at(self, index: u32) -> [u32; 2] {
+        if self.order.strata == 0 {
+            return shift::global(sobol::point(hash::shuffle(index, self.order.seed)), self.offset);
+        }
+        let (pass, cell) = self.order.cell(index);
+        shift::stratified_2d(cell, self.order.strata, sobol::point(pass), self.offset)
     }
 }
 

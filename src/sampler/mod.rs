@@ -28,9 +28,9 @@ pub use constant::Constant;
 pub use dithered::{Dithered, DitheredPixel};
 pub use white::{White, WhitePixel};
 
-/// The public draws of a pixel, made from its two private ones:
-/// `single_fx(domain, pad, index) -> u32` and `pair_fx(domain, pad, index) -> [u32; 2]`, where `pad` is 1 for the second
-/// pair and else 0.
+/// The public draws of a pixel, made from its two private ones, `single(domain, pad)` and `pair(domain, pad)`, where
+/// `pad` is 1 for the second pair and else 0. Each returns all that does not depend on the index, a small value whose
+/// `at(index)` is a `u32` or a `[u32; 2]`.
 ///
 /// A macro and not a trait, so that a user needs no import and the docs of each sampler are whole.
 macro_rules! call_shape {
@@ -50,9 +50,9 @@ macro_rules! call_shape {
                 while k < D {
                     let pad = if k < 2 { 0 } else { 1 };
                     if k + 1 < D {
-                        [out[k], out[k + 1]] = self.pair_fx(domain, pad, index);
+                        [out[k], out[k + 1]] = self.pair(domain, pad).at(index);
                     } else {
-                        out[k] = self.single_fx(domain, pad, index);
+                        out[k] = self.single(domain, pad).at(index);
                     }
                     k += 2;
                 }
@@ -66,6 +66,20 @@ macro_rules! call_shape {
                 $crate::unit::to_f32s(self.draw_fx(domain, index))
             }
 
+            /// Samples `first`, `first` + 1, … for purpose `domain`, as by [`draw_fx`](Self::draw_fx), which this outruns:
+            /// what does not depend on the index is done once. Indices wrap after 2³²−1.
+            #[inline]
+            pub fn fill_fx<const D: usize>(self, domain: u32, first: u32, samples: &mut [[u32; D]]) {
+                $crate::sampler::fill!(self, domain, first, samples, D, |value| value);
+            }
+
+            /// Samples `first`, `first` + 1, … for purpose `domain`, as by [`draw`](Self::draw), which this outruns: what
+            /// does not depend on the index is done once. Indices wrap after 2³²−1.
+            #[inline]
+            pub fn fill<const D: usize>(self, domain: u32, first: u32, samples: &mut [[f32; D]]) {
+                $crate::sampler::fill!(self, domain, first, samples, D, $crate::unit::to_f32);
+            }
+
             /// The pixel's first `count` samples for purpose `domain` at once; at most `CAPACITY` of them.
             #[cfg(feature = "pattern")]
             #[inline]
@@ -75,12 +89,41 @@ macro_rules! call_shape {
                 domain: u32,
                 count: u32,
             ) -> $crate::pattern::Pattern<D, CAPACITY> {
-                $crate::pattern::collect(count, |index| self.draw(domain, index))
+                let mut pattern = $crate::pattern::of_length(count);
+                self.fill(domain, 0, &mut pattern);
+                pattern
             }
         }
     };
 }
 use call_shape;
+
+/// Fills `samples` pair by pair, each component through `convert`.
+macro_rules! fill {
+    ($pixel:ident, $domain:ident, $first:ident, $samples:ident, $D:ident, $convert:expr) => {{
+        const { assert!($D >= 1 && $D <= 4, "a domain has 1 to 4 dimensions: fill more from further domains") };
+        let mut k = 0;
+        while k < $D {
+            let pad = if k < 2 { 0 } else { 1 };
+            let mut index = $first;
+            if k + 1 < $D {
+                let pair = $pixel.pair($domain, pad);
+                for sample in $samples.iter_mut() {
+                    [sample[k], sample[k + 1]] = pair.at(index).map($convert);
+                    index = index.wrapping_add(1);
+                }
+            } else {
+                let single = $pixel.single($domain, pad);
+                for sample in $samples.iter_mut() {
+                    sample[k] = [single.at(index)].map($convert)[0];
+                    index = index.wrapping_add(1);
+                }
+            }
+            k += 2;
+        }
+    }};
+}
+use fill;
 
 /// The seed of a domain's numbers, one for each of its two pairs.
 const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {

@@ -43,14 +43,37 @@ pub struct WhitePixel {
 
 impl WhitePixel {
     #[inline]
-    const fn single_fx(self, domain: u32, pad: u32, index: u32) -> u32 {
-        self.pair_fx(domain, pad, index)[0]
+    const fn single(self, domain: u32, pad: u32) -> WhiteSingle {
+        WhiteSingle(self.pair(domain, pad))
     }
 
     #[inline]
-    const fn pair_fx(self, domain: u32, pad: u32, index: u32) -> [u32; 2] {
-        let seed = domain_seed(self.seed, domain, pad);
-        sobol::owen_point(hash::shuffle(index, seed), seed)
+    const fn pair(self, domain: u32, pad: u32) -> WhitePair {
+        WhitePair { seed: domain_seed(self.seed, domain, pad) }
+    }
+}
+
+/// The pair of a domain.
+#[derive(Clone, Copy)]
+struct WhitePair {
+    seed: u32,
+}
+
+impl WhitePair {
+    #[inline]
+    const fn at(self, index: u32) -> [u32; 2] {
+        sobol::owen_point(hash::shuffle(index, self.seed), self.seed)
+    }
+}
+
+/// The first of a pair.
+#[derive(Clone, Copy)]
+struct WhiteSingle(WhitePair);
+
+impl WhiteSingle {
+    #[inline]
+    const fn at(self, index: u32) -> u32 {
+        self.0.at(index)[0]
     }
 }
 

@@ -1,0 +1,132 @@
+//! The linear pixel order: one digital net for the whole picture, linear in the sample's number and in the pixel's
+//! coordinates.
+//!
+//! As in the Z order (Ahmed and Wonka 2020) all pixels share one sequence, so that neighbours complete each other. But
+//! here the binary digits of a point are sums modulo 2 of *columns*, one for every bit that is set in the index and one
+//! for every bit that is set in the coordinates inside a block of 32×32 pixels, and of a random digital shift per block.
+//!
+//! Then everything is known beforehand. The error of an estimate is a sum over the Walsh functions that the points of a
+//! pixel do not integrate (the dual net); over the pixels of a block each is again a Walsh function, of a frequency that
+//! the columns say. So the error after a filter, in the mean over shifts, is a plain sum of products, and the columns are
+//! annealed for the least of it: see `src/bake/columns`.
+//!
+//! Every pixel has a (0, m, 2)-net for every power of two, since a shifted net is one. The sequence is Sobol's with
+//! matrix-scrambled digits (Matoušek 1998), chosen so that few Walsh functions of smooth integrands are left over, which
+//! is the idea of higher-order nets (Dick 2008): from 8 samples on the error is below that of Owen-scrambled points.
+
+/// log₂ of the side of a block, pixels.
+pub const BLOCK_LOG2: u32 = 5;
+
+/// What the coordinates add: for bits 0.. of x, then of y, the upper 16 digits of the first number (upper half) and of
+/// the second.
+pub type Columns = [u32; 2 * BLOCK_LOG2 as usize];
+
+/// Columns that blocks choose from at random, which keeps a picture from showing them.
+pub type Order = [Columns; 8];
+
+/// All constants of the linear pixel order.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Tables {
+    /// For 2ᵏ samples a pixel.
+    pub known: [Order; 9],
+    /// For any number of samples.
+    pub progressive: Order,
+    /// The points.
+    pub sequence: Sequence,
+}
+
+impl Tables {
+    /// The order for `spp` samples a pixel: that of the next power of two, up to 256; 0 counts as 1.
+    #[inline]
+    #[must_use]
+    pub const fn known(&self, spp: u32) -> &Order {
+        match u32::BITS - spp.saturating_sub(1).leading_zeros() {
+            0 => &self.known[0],
+            1 => &self.known[1],
+            2 => &self.known[2],
+            3 => &self.known[3],
+            4 => &self.known[4],
+            5 => &self.known[5],
+            6 => &self.known[6],
+            7 => &self.known[7],
+            _ => &self.known[8],
+        }
+    }
+}
+
+/// A (0, 2)-sequence in base 2 by its columns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sequence {
+    /// The sums for the two lower nibbles of an index: the first number is the upper half.
+    nibbles: [[u64; 16]; 2],
+    /// The columns of the other bits.
+    columns: [u64; 24],
+}
+
+impl Sequence {
+    /// Of one column of digits for each dimension and bit of the index.
+    #[must_use]
+    pub const fn new(columns: &[[u32; 2]; 32]) -> Self {
+        let mut sequence = Self { nibbles: [[0; 16]; 2], columns: [0; 24] };
+        let mut bit = 0;
+        while bit < 32 {
+            let column = (columns[bit][0] as u64) << 32 | columns[bit][1] as u64;
+            if bit < 8 {
+                let mut sum = 0;
+                while sum < 16 {
+                    if sum >> (bit % 4) & 1 == 1 {
+                        sequence.nibbles[bit / 4][sum] ^= column;
+                    }
+                    sum += 1;
+                }
+            } else {
+                sequence.columns[bit - 8] = column;
+            }
+            bit += 1;
+        }
+        sequence
+    }
+
+    /// Point `index`, 0.32 fixed point, both numbers in one word, the first in the upper half. Two look-ups, and one for
+    /// every further bit that is set.
+    #[inline]
+    #[must_use]
+    pub const fn packed(&self, index: u32) -> u64 {
+        let mut sum = self.nibbles[0][(index & 15) as usize] ^ self.nibbles[1][(index >> 4 & 15) as usize];
+        let mut rest = index >> 8;
+        let mut bit = 0;
+        while rest != 0 && bit < 24 {
+            if rest & 1 == 1 {
+                sum ^= self.columns[bit];
+            }
+            rest >>= 1;
+            bit += 1;
+        }
+        sum
+    }
+}
+
+/// What a block adds to all its points: the digits by `random`, a number of the block's own, and those by the pixel's
+/// place in it, (`x`, `y`) below 32. The upper 16 digits of both numbers.
+#[inline]
+#[must_use]
+pub const fn digits(columns: &Columns, x: u32, y: u32) -> u32 {
+    let mut sum = 0;
+    let mut bit = 0;
+    while bit < BLOCK_LOG2 {
+        sum ^= columns[bit as usize] & (x >> bit & 1).wrapping_neg();
+        sum ^= columns[(BLOCK_LOG2 + bit) as usize] & (y >> bit & 1).wrapping_neg();
+        bit += 1;
+    }
+    sum
+}
+
+/// Shuffles sample numbers by a random linear map so that every set {0, …, 2ᵏ−1} stays the same set: a bit is flipped
+/// by higher bits only. Cheaper than [`hash::shuffle`](crate::hash::shuffle), and as good where the points are linear.
+#[inline]
+#[must_use]
+pub const fn shuffle(index: u32, random: u32) -> u32 {
+    let index = index ^ (index >> 1 & random);
+    let index = index ^ (index >> 2 & random.rotate_left(8));
+    index ^ (index >> 4 & random.rotate_left(16))
+}

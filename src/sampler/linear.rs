@@ -1,0 +1,109 @@
+//! The recommended sampler: the linear pixel order.
+
+use super::{call_shape, domain_seed};
+use crate::hash;
+use crate::linear::{self, BLOCK_LOG2, Order};
+use crate::tables::LINEAR_ORDER;
+
+/// Blue-noise error at every number of samples, with better points than Owen-scrambled ones: see [`linear`].
+#[derive(Clone, Copy, Debug)]
+pub struct Sampler {
+    order: &'static Order,
+    /// Bits of a sample's number that a pixel may flip.
+    ranks: u32,
+    seed: u32,
+}
+
+impl Sampler {
+    /// Progressive: the sequence goes on for as long as it is asked, and every power of two is a good moment to stop.
+    #[inline]
+    #[must_use]
+    pub const fn new(seed: u32) -> Self {
+        Self { order: &LINEAR_ORDER.progressive, ranks: 0, seed }
+    }
+
+    /// `spp` samples per pixel.
+    #[inline]
+    #[must_use]
+    pub const fn with_spp(seed: u32, spp: u32) -> Self {
+        let ranks = if spp.is_power_of_two() && spp <= 256 { spp - 1 } else { 0 };
+        Self { order: LINEAR_ORDER.known(spp), ranks, seed }
+    }
+
+    /// The samples of one pixel in one frame. Any coordinates and frame; negative ones are passed `as u32`.
+    #[inline]
+    #[must_use]
+    pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> LinearPixel {
+        let seed = hash::combine(self.seed, frame);
+        // Two odd constants of no meaning.
+        let noise = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77);
+        LinearPixel { order: self.order, ranks: self.ranks, seed, noise, x, y }
+    }
+}
+
+/// One pixel of [`Sampler`].
+#[derive(Clone, Copy, Debug)]
+pub struct LinearPixel {
+    order: &'static Order,
+    ranks: u32,
+    seed: u32,
+    noise: u32,
+    x: u32,
+    y: u32,
+}
+
+impl LinearPixel {
+    #[inline]
+    const fn single(self, domain: u32, pad: u32) -> LinearSingle {
+        LinearSingle(self.pair(domain, pad))
+    }
+
+    #[inline]
+    const fn pair(self, domain: u32, pad: u32) -> LinearPair {
+        const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
+        let seed = domain_seed(self.seed, domain, pad);
+        // Blocks of every domain begin elsewhere.
+        let (x, y) = (self.x.wrapping_add(seed & INSIDE), self.y.wrapping_add(seed >> BLOCK_LOG2 & INSIDE));
+        let place = (x >> BLOCK_LOG2).wrapping_mul(0x9e37_79b1) ^ (y >> BLOCK_LOG2).wrapping_mul(0x85eb_ca77);
+        let random = hash::mix(seed ^ place);
+        let choice = random.wrapping_mul(0xd6e8_feb5);
+        let (u, v) = if choice >> 28 & 1 == 1 { (y & INSIDE, x & INSIDE) } else { (x & INSIDE, y & INSIDE) };
+        let digits = random ^ linear::digits(&self.order[(choice >> 29) as usize], u, v);
+        let low = hash::mix(seed);
+        let key = ((digits >> 16) as u64) << 48 | ((low >> 16) as u64) << 32 | (digits << 16 | low & 0xffff) as u64;
+        let random = hash::mix(self.noise ^ seed);
+        LinearPair { key, swap: choice >> 22 & 32, random, rank: random >> 24 & self.ranks }
+    }
+}
+
+/// The pair of a domain.
+#[derive(Clone, Copy)]
+struct LinearPair {
+    key: u64,
+    swap: u32,
+    random: u32,
+    rank: u32,
+}
+
+impl LinearPair {
+    #[inline]
+    #[expect(clippy::cast_possible_truncation, reason = "the lower half of the word")]
+    const fn at(self, index: u32) -> [u32; 2] {
+        let index = linear::shuffle(index, self.random) ^ self.rank;
+        let point = (LINEAR_ORDER.sequence.packed(index) ^ self.key).rotate_left(self.swap);
+        [(point >> 32) as u32, point as u32]
+    }
+}
+
+/// The first of a pair.
+#[derive(Clone, Copy)]
+struct LinearSingle(LinearPair);
+
+impl LinearSingle {
+    #[inline]
+    const fn at(self, index: u32) -> u32 {
+        self.0.at(index)[0]
+    }
+}
+
+call_shape!(impl[] LinearPixel);
