@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Constant, Dithered, White};
+use bluedither::{Constant, Dithered, White, ZOrder};
 
 const SIZE: u32 = 256;
 const ROUNDS: usize = 15;
@@ -29,7 +29,7 @@ macro_rules! draws {
     };
 }
 
-const ROWS: [Row; 12] = [
+const ROWS: [Row; 14] = [
     ("threshold mask, look-up", 1, |spp| (0..spp).map(|_| image(|x, y| THRESHOLD_64.value(x, y))).sum()),
     ("offset mask, look-up", 2, |spp| (0..spp).map(|_| image(|x, y| OFFSET_2D_64.value(x, y).iter().sum())).sum()),
     ("Dithered::with_spp, 1D", 1, draws!(1, |spp| Dithered::with_spp(1, spp))),
@@ -41,6 +41,8 @@ const ROWS: [Row; 12] = [
     ("White, 1D", 1, draws!(1, |spp| White::new(1))),
     ("White, 2D", 2, draws!(2, |spp| White::new(1))),
     ("White, 4D", 4, draws!(4, |spp| White::new(1))),
+    ("ZOrder, 2D", 2, draws!(2, |spp| ZOrder::with_spp(1, spp))),
+    ("ZOrder, 4D", 4, draws!(4, |spp| ZOrder::with_spp(1, spp))),
     ("Constant, 2D", 2, draws!(2, |spp| Constant::new(1))),
 ];
 

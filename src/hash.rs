@@ -24,6 +24,18 @@ pub const fn combine(seed: u32, value: u32) -> u32 {
     mix(mix(seed).wrapping_add(value))
 }
 
+/// 64 bits of seed from 64: a bijection, and cheaper than two of [`mix`].
+///
+/// Two rounds of multiply and xor-shift with the multiplier of P. Evensen's `rrmxmx` (2018), odd and without a pattern.
+#[inline]
+#[must_use]
+pub const fn mix_64(value: u64) -> u64 {
+    let mut h = value ^ 0x9e37_79b9_7f4a_7c15;
+    h = (h ^ (h >> 32)).wrapping_mul(0x9fb2_1c65_1e98_df25);
+    h = (h ^ (h >> 29)).wrapping_mul(0x9fb2_1c65_1e98_df25);
+    h ^ (h >> 32)
+}
+
 /// Laine–Karras permutation: every bit is flipped by a hash of the bits *below* it.
 ///
 /// On bit-reversed numbers this is a nested uniform (Owen) scramble. Laine and Karras 2011, Burley 2020; constants and
@@ -48,6 +60,54 @@ pub const fn laine_karras(value_rev: u32, seed: u32) -> u32 {
 #[must_use]
 pub const fn owen(value_fx: u32, seed: u32) -> u32 {
     laine_karras(value_fx.reverse_bits(), seed).reverse_bits()
+}
+
+/// Base-4 form of [`laine_karras`]: pairs of bits are digits, and every digit goes through a permutation of {0, 1, 2, 3}
+/// that a hash of the digits *below* it has chosen.
+///
+/// All 24 permutations occur: each of the three ways to halve the four values, with chances of 3/8, 3/8 and 2/8, times
+/// the eight permutations that keep a half together, with equal chances. Binary scrambling has one way only; the
+/// hash of Blender's Cycles, which adds two conditional flips to it, two, and one in the first digit (counted). Hash
+/// `seed` first.
+#[inline]
+#[must_use]
+pub const fn laine_karras_4(value_rev: u32, seed: u32) -> u32 {
+    const FIRST: u32 = 0x5555_5555;
+    // Three bits of choice a digit: two that know the digits below, and one of those below the last.
+    let own = mix(seed);
+    let hash = laine_karras(value_rev, own);
+    let choice = (hash << 2) | (own >> 30);
+    let third = (hash << 4) | (own >> 26 & 0xf);
+    let mut n = value_rev;
+    // A digit's first bit f and its second, s: that the new first bit is f, s or f^s decides what goes together.
+    n ^= (n & FIRST) << 1;
+    n ^= (n >> 1) & choice & FIRST;
+    n ^= (n & (choice >> 1) & FIRST) << 1;
+    n ^= (n >> 1) & third & FIRST;
+    laine_karras(n, seed)
+}
+
+/// Nested uniform scramble in base 4 of a 0.32 number: digit k is permuted by a hash of the digits above it.
+///
+/// A bijection that maps every interval [a·4⁻ᵏ, (a+1)·4⁻ᵏ) onto one of the same size. On a Morton code it visits
+/// the quadrants of every square in an order of that square's own.
+#[inline]
+#[must_use]
+pub const fn owen_4(value_fx: u32, seed: u32) -> u32 {
+    laine_karras_4(value_fx.reverse_bits(), seed).reverse_bits()
+}
+
+/// A quicker [`shuffle`], for an index that is bit-reversed already, and so is the result.
+///
+/// Products and sums pass on nothing to lower bits, and zeros below stay zeros, so every set {0, …, 2ᵏ−1} of indices
+/// stays the same set, and 0 stays 0. Three multiplications take a hash of `seed` apart. Hash `seed` first.
+#[inline]
+#[must_use]
+pub const fn shuffle_rev(index_rev: u32, seed: u32) -> u32 {
+    let mut n = index_rev;
+    n ^= n.wrapping_mul(seed & !1);
+    n = n.wrapping_mul((seed >> 20) | 1);
+    n ^ n.wrapping_mul((seed >> 10) & !1)
 }
 
 /// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set.

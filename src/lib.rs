@@ -96,9 +96,10 @@ pub mod torus;
 pub mod unit;
 #[cfg(feature = "warp")]
 pub mod warp;
+pub mod zorder;
 
 pub use mask::{ScalarMask, VectorMask};
-pub use sampler::{Constant, Dithered, White};
+pub use sampler::{Constant, Dithered, White, ZOrder};
 
 /// The README's examples, compiled.
 #[cfg(all(doctest, feature = "threshold-64", feature = "offset-2d-64"))]

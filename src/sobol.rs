@@ -17,13 +17,19 @@ pub const fn dimension_0(index: u32) -> u32 {
 #[inline]
 #[must_use]
 pub const fn dimension_1(index: u32) -> u32 {
+    dimension_1_rev(index).reverse_bits()
+}
+
+/// [`dimension_1`], bit-reversed: what [`laine_karras`](crate::hash::laine_karras) scrambles.
+#[inline]
+#[must_use]
+pub const fn dimension_1_rev(index: u32) -> u32 {
     let mut n = index;
     n ^= (n >> 1) & 0x5555_5555;
     n ^= (n >> 2) & 0x3333_3333;
     n ^= (n >> 4) & 0x0f0f_0f0f;
     n ^= (n >> 8) & 0x00ff_00ff;
-    n ^= n >> 16;
-    n.reverse_bits()
+    n ^ (n >> 16)
 }
 
 /// Point `index` of the (0, 2)-sequence of the first two dimensions: 0.32 fixed point.
@@ -51,7 +57,7 @@ pub const fn owen_point(index: u32, seed: u32) -> [u32; 2] {
     // Laine–Karras works on reversed bits and a Sobol point is a reversed number: the two reversals cancel.
     [
         crate::hash::laine_karras(index, crate::hash::mix(seed)).reverse_bits(),
-        crate::hash::owen(dimension_1(index), crate::hash::mix(seed ^ 0x94d0_49bb)),
+        crate::hash::laine_karras(dimension_1_rev(index), crate::hash::mix(seed ^ 0x94d0_49bb)).reverse_bits(),
     ]
 }
 

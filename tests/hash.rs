@@ -1,7 +1,7 @@
 //! Seeds and scrambles: bijections, avalanche, nets and prefixes.
 #![allow(clippy::cast_possible_truncation, reason = "indices of small loops")]
 
-use bluedither::hash::{combine, laine_karras, mix, owen, shuffle};
+use bluedither::hash::{combine, laine_karras, laine_karras_4, mix, mix_64, owen, owen_4, shuffle};
 use proptest::prelude::*;
 
 const SEEDS: [u32; 8] = [0, 1, 2, 0x7fff_ffff, 0x8000_0000, 0xffff_0000, u32::MAX - 1, u32::MAX];
@@ -112,6 +112,66 @@ fn owen_flips_below_two_sides_of_a_digit_are_unrelated() {
     }
 }
 
+/// What `laine_karras_4` does to the digit at `level` of numbers whose digits below are those of `below`.
+fn permutation(below: u32, level: u32, seed: u32) -> [u32; 4] {
+    let low = below & ((1 << (2 * level)) - 1);
+    core::array::from_fn(|digit| laine_karras_4(low | (digit as u32) << (2 * level), seed) >> (2 * level) & 3)
+}
+
+#[test]
+fn every_digit_of_base_4_goes_through_all_permutations() {
+    let rounds = 24_000;
+    for level in [0, 1, 2, 7, 15] {
+        for below in [0, 0x1234_5678, u32::MAX] {
+            let mut counts = std::collections::BTreeMap::new();
+            for seed in 0..rounds {
+                *counts.entry(permutation(below, level, mix(seed))).or_insert(0u32) += 1;
+            }
+            assert_eq!(counts.len(), 24, "level {level}, below {below:x}");
+            for (permutation, count) in counts {
+                let mut sorted = permutation;
+                sorted.sort_unstable();
+                assert_eq!(sorted, [0, 1, 2, 3]);
+                // The values that stay one half of the four: those of the first bit, of the second, or of their sum. Read
+                // in reversed order, the first bit of a digit is the lower one.
+                let partner = (1..4).find(|&other| (permutation[0] ^ permutation[other]) & 1 == 0).expect("one");
+                let share = f64::from(count) / f64::from(rounds);
+                let expected = if partner == 3 { 2.0 } else { 3.0 } / 64.0;
+                // Standard deviation .0014.
+                assert!((share - expected).abs() < 0.007, "level {level}, below {below:x}: {permutation:?} {share}");
+            }
+        }
+    }
+}
+
+#[test]
+fn base_4_permutations_below_two_values_of_a_digit_are_unrelated() {
+    // The permutation of a digit agrees below two values of the digit above as often as two independent ones:
+    // (16·(3/64)² + 8·(2/64)²) = .043; standard deviation .0017.
+    let rounds = 16_000;
+    for level in [1, 2, 9] {
+        let other = 1 << (2 * level - 2);
+        let agree = (0..rounds).map(mix).filter(|&s| permutation(0, level, s) == permutation(other, level, s)).count();
+        let share = agree as f64 / f64::from(rounds);
+        assert!((share - 0.043).abs() < 0.01, "level {level}: {share}");
+    }
+}
+
+#[test]
+fn mix_64_flips_every_bit_by_every_bit() {
+    for bit in 0..64 {
+        let mut flips = [0u32; 64];
+        for round in 0..4096u64 {
+            let changed = mix_64(round) ^ mix_64(round ^ 1 << bit);
+            flips.iter_mut().enumerate().for_each(|(k, count)| *count += u32::from(changed >> k & 1 == 1));
+        }
+        for count in flips {
+            // The scatter of 4096 pairs alone reaches .04.
+            assert!((f64::from(count) / 4096.0 - 0.5).abs() < 0.1, "bit {bit}: {flips:?}");
+        }
+    }
+}
+
 #[test]
 fn shuffle_keeps_every_power_of_two_prefix() {
     for seed in SEEDS {
@@ -177,6 +237,25 @@ proptest! {
         let near = b >> (digits - 1) >> 1 ^ a & !(u32::MAX >> (digits - 1) >> 1);
         for b in [b, near] {
             prop_assert_eq!(same(a, b), same(owen(a, seed), owen(b, seed)));
+        }
+    }
+
+    #[test]
+    fn laine_karras_4_looks_only_down(value: u32, other: u32, seed: u32, digits in 0u32..16) {
+        // Two numbers with the same lower digits have the same after it, and the first other digit stays another.
+        let low = (1u32 << (2 * digits)) - 1;
+        let twin = value & low | other & !low;
+        let (a, b) = (laine_karras_4(value, seed), laine_karras_4(twin, seed));
+        prop_assert_eq!(a & low, b & low);
+        prop_assert_eq!((a ^ b) >> (2 * digits) & 3 == 0, (value ^ twin) >> (2 * digits) & 3 == 0);
+    }
+
+    #[test]
+    fn owen_4_keeps_intervals_of_base_4(a: u32, b: u32, seed: u32, digits in 1u32..=16) {
+        let same = |a: u32, b: u32| (a ^ b).leading_zeros() >= 2 * digits;
+        let near = b >> (2 * digits - 1) >> 1 ^ a & !(u32::MAX >> (2 * digits - 1) >> 1);
+        for b in [b, near] {
+            prop_assert_eq!(same(a, b), same(owen_4(a, seed), owen_4(b, seed)));
         }
     }
 

@@ -1,8 +1,12 @@
 //! Sobol points against the definitions: a matrix bit by bit, the recurrence of Joe and Kuo, elementary intervals.
 #![allow(clippy::cast_possible_truncation, reason = "indices of small loops")]
 
+#[path = "common/net.rs"]
+mod net;
+
 use bluedither::hash::{mix, owen};
 use bluedither::sobol::{dimension, dimension_0, dimension_1, owen_point, point};
+use net::assert_net;
 use proptest::prelude::*;
 
 const EXTREMES: [u32; 9] = [0, 1, 2, 3, 0x7fff_ffff, 0x8000_0000, 0x8000_0001, u32::MAX - 1, u32::MAX];
@@ -53,20 +57,6 @@ fn naive(index: u32, dimension: u32) -> u32 {
         1 => joe_kuo(index, 1, 0, &[1]),
         2 => joe_kuo(index, 2, 1, &[1, 3]),
         _ => joe_kuo(index, 3, 1, &[1, 3, 1]),
-    }
-}
-
-/// Panics unless the points have exactly one in each elementary interval of area 1/points, of every shape.
-fn assert_net(points: &[[u32; 2]], what: &str) {
-    let m = points.len().trailing_zeros();
-    for x_digits in 0..=m {
-        let mut seen = vec![false; points.len()];
-        for [x, y] in points {
-            let column = u64::from(*x) >> (32 - x_digits);
-            let row = u64::from(*y) >> (32 - (m - x_digits));
-            let cell = (column << (m - x_digits) | row) as usize;
-            assert!(!core::mem::replace(&mut seen[cell], true), "{what}: two points in one of 2^-{x_digits} wide");
-        }
     }
 }
 

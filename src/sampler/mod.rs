@@ -23,10 +23,12 @@
 mod constant;
 mod dithered;
 mod white;
+mod zorder;
 
 pub use constant::Constant;
 pub use dithered::{Dithered, DitheredPixel};
 pub use white::{White, WhitePixel};
+pub use zorder::{ZOrder, ZOrderPixel};
 
 /// The public draws of a pixel, made from its two private ones, `single(domain, pad)` and `pair(domain, pad)`, where
 /// `pad` is 1 for the second pair and else 0. Each returns all that does not depend on the index, a small value whose

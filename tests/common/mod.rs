@@ -1,6 +1,8 @@
 //! What the tests of samplers share: every sampler of the crate in one list, and masks that need no table.
 #![allow(dead_code, unused_imports, unused_macros, reason = "every test file uses a part of it")]
 
+pub(crate) mod net;
+
 use std::sync::LazyLock;
 
 use bluedither::{ScalarMask, VectorMask, sobol, unit};
@@ -50,6 +52,7 @@ macro_rules! for_every_sampler {
             "global" => dithered,
             "single strata" => dithered.stratified_1d(spp),
             "strata" => dithered.stratified(spp),
+            "z-order" => bluedither::ZOrder::with_spp(seed, spp),
             #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
             "baked" => bluedither::Dithered::new(seed),
             #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]

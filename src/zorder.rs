@@ -1,0 +1,50 @@
+//! Pixels along a Z curve, and where on the Sobol sequence a pixel begins.
+//!
+//! Ahmed and Wonka 2020: all pixels share one (0, 2)-sequence and take it in turns along a Z curve, so that the points
+//! of every square of 2ᵏ×2ᵏ pixels are a net together and their errors cancel. Consecutive pixels take consecutive runs
+//! there, which needs the number of samples beforehand. Here a pixel begins at an index from which that holds for
+//! *every* number 2ᵐ of samples.
+
+/// The Z curve (Morton 1966): bit k of `x` is bit 2k of the code, bit k of `y` bit 2k+1.
+#[inline]
+#[must_use]
+pub const fn morton(x: u32, y: u32) -> u64 {
+    spread(x) | spread(y) << 1
+}
+
+/// Bit k goes to bit 2k.
+const fn spread(value: u32) -> u64 {
+    let mut n = value as u64;
+    n = (n | n << 16) & 0x0000_ffff_0000_ffff;
+    n = (n | n << 8) & 0x00ff_00ff_00ff_00ff;
+    n = (n | n << 4) & 0x0f0f_0f0f_0f0f_0f0f;
+    n = (n | n << 2) & 0x3333_3333_3333_3333;
+    (n | n << 1) & 0x5555_5555_5555_5555
+}
+
+/// Where place `place_rev`, bit-reversed, of a Z curve begins: its sample i is point `first_index ^ i` of [`sobol`].
+///
+/// A bijection. For every m and k with m + 2k ≤ 16, the first 2ᵐ samples of 4ᵏ places in a row, from a multiple of 4ᵏ on,
+/// are a (0, m+2k, 2)-net together; beyond, too, but for cells narrower than 2⁻¹⁶.
+///
+/// Read an index as a polynomial over GF(2), bit j for tʲ: then the two coordinates of its Sobol point are its power
+/// series at t = 0 and at t = 1, and nets are sets of all polynomials below some degree. With q = t² + t + 1, which
+/// has an inverse at both, the base-4 digits a of a place are taken as Σ aₖ/qᵏ⁺¹, k = 0 for the last: with the
+/// numerators tʲ of the samples that spans all polynomials below degree m + 2k over qᵏ. And since q¹⁶ = t³² + t¹⁶ + 1
+/// is 1 up to digit 16, Σ aₖ·q¹⁵⁻ᵏ does as well, which is a polynomial: four steps from the base q to the base t.
+///
+/// [`sobol`]: crate::sobol::point
+#[inline]
+#[must_use]
+pub const fn first_index(place_rev: u32) -> u32 {
+    // b·qᵏ = b·t²ᵏ + b·tᵏ + b, in place, for k = 1, 2, 4, 8.
+    let mut n = place_rev;
+    let b = n & 0xcccc_cccc;
+    n ^= b >> 1 ^ b >> 2;
+    let b = n & 0xf0f0_f0f0;
+    n ^= b >> 2 ^ b >> 4;
+    let b = n & 0xff00_ff00;
+    n ^= b >> 4 ^ b >> 8;
+    let b = n & 0xffff_0000;
+    n ^ b >> 8 ^ b >> 16
+}
