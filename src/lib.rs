@@ -84,6 +84,7 @@
 
 pub mod effort;
 pub mod hash;
+pub mod lattice;
 pub mod mask;
 #[cfg(feature = "pattern")]
 pub mod pattern;
