@@ -42,11 +42,16 @@ fn main() {
 
 fn run() -> Result<(), String> {
     let effort = chosen_effort()?;
-    let recipes: Vec<Recipe> = bake::recipe::all().into_iter().filter(|recipe| asked_for(*recipe)).collect();
+    let recipes: Vec<Recipe> = bake::recipe::all().into_iter().filter(|recipe| asked_for(&recipe.name())).collect();
+    let counts: Vec<usize> =
+        bake::directions::COUNTS.into_iter().filter(|&count| asked_for(&bake::directions::name(count))).collect();
     let mut text = bake::embed::effort(effort);
     // Without tables nothing is read: that is how damaged inputs can be recorded anew.
     if !recipes.is_empty() {
         text += &bake_all(&recipes, effort)?;
+    }
+    if !counts.is_empty() {
+        text += &directions(&counts)?;
     }
     let path = Path::new(&var("OUT_DIR")).join("tables.rs");
     std::fs::write(&path, text).map_err(|error| format!("{} cannot be written ({error})", path.display()))
@@ -89,8 +94,15 @@ fn chosen_effort() -> Result<Effort, String> {
     found.ok_or_else(|| format!("BLUEDITHER_EFFORT is {word:?}: set it to quick, normal or thorough, or unset it"))
 }
 
-fn asked_for(recipe: Recipe) -> bool {
-    std::env::var_os(format!("CARGO_FEATURE_{}", recipe.name().to_uppercase())).is_some()
+fn directions(counts: &[usize]) -> Result<String, String> {
+    let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
+    let all = bake::directions::read(&tables, &Digests::read(&tables)?)?;
+    Ok(counts.iter().map(|&count| bake::embed::directions(count, &all)).collect())
+}
+
+/// Whether the feature of a table is on.
+fn asked_for(table: &str) -> bool {
+    std::env::var_os(format!("CARGO_FEATURE_{}", table.to_uppercase())).is_some()
 }
 
 fn use_as_many_threads_as_cargo() {

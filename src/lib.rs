@@ -63,6 +63,10 @@
 //! | `offset-2d-32` | | 4,096 |
 //! | `offset-2d-64` (default) | | 16,384 |
 //! | `offset-2d-128` | | 65,536 |
+//! | `sobol-16` | direction numbers of the Sobol sequence, in `tables` | 2,048 |
+//! | `sobol-64` | | 8,192 |
+//! | `sobol-256` | | 32,768 |
+//! | `sobol-1024` | | 131,072 |
 //! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
 //! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |

@@ -1,7 +1,8 @@
 //! The first four dimensions of the Sobol sequence (Sobol 1967; direction numbers of Joe and Kuo 2008).
 //!
 //! The first two form a (0, 2)-sequence in base 2: 2ᵐ consecutive points from a multiple of 2ᵐ on lie one in each
-//! elementary interval of area 2⁻ᵐ. They are computed; the others use direction numbers.
+//! elementary interval of area 2⁻ᵐ. They are computed; the others use direction numbers, those from the fifth on the
+//! ones of a table ([`Directions`]).
 
 /// Point `index` of dimension 0, the van der Corput sequence: 0.32 fixed point. One bit reversal.
 #[inline]
@@ -61,23 +62,64 @@ pub const fn owen_point(index: u32, seed: u32) -> [u32; 2] {
     ]
 }
 
-static DIRECTIONS_2: [u32; 32] = directions(2, 1, [1, 3, 0]);
-static DIRECTIONS_3: [u32; 32] = directions(3, 1, [1, 3, 1]);
+/// Direction numbers of dimensions of the Sobol sequence: 128 bytes each. Those of the features `sobol-16` to `sobol-1024`
+/// stand in [`tables`](crate::tables); [`directions`] makes others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Directions<const D: usize> {
+    numbers: [[u32; 32]; D],
+}
 
+impl<const D: usize> Directions<D> {
+    /// Number `bit` of dimension `d` is `numbers[d][bit]`, as [`directions`] returns them. D = 0 is a compile error.
+    #[must_use]
+    pub const fn new(numbers: [[u32; 32]; D]) -> Self {
+        const { assert!(D > 0, "a table has one dimension at least") };
+        Self { numbers }
+    }
+
+    /// Point `index` of dimension `dimension` modulo D: 0.32 fixed point. A conditional step per set bit of the index.
+    ///
+    /// As they are, the higher dimensions are poorly spread in pairs over the first points: take [`owen`](Self::owen).
+    #[inline]
+    #[must_use]
+    pub const fn dimension(&self, index: u32, dimension: u32) -> u32 {
+        combine(index, &self.numbers[dimension as usize % D])
+    }
+
+    /// The same, Owen-scrambled: seed and dimension choose the scramble.
+    ///
+    /// From dimension D on the dimensions come again, each time in an order of the samples and a scramble of their own
+    /// (padding), so that the first 2ᵏ samples stay as even in each of them; between them they are as independent ones.
+    #[inline]
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "D ≥ 2³² has no numbers")]
+    pub const fn owen(&self, index: u32, dimension: u32, seed: u32) -> u32 {
+        let round = dimension / D as u32;
+        let index = if round == 0 { index } else { crate::hash::shuffle(index, crate::hash::combine(seed, round)) };
+        let scramble = crate::hash::combine(seed, crate::hash::mix(dimension));
+        crate::hash::owen(self.dimension(index, dimension), scramble)
+    }
+}
+
+static DIRECTIONS_2: [u32; 32] = directions(1, &[1, 3]);
+static DIRECTIONS_3: [u32; 32] = directions(1, &[1, 3, 1]);
+
+/// The sum of the direction numbers of the set bits.
 const fn combine(index: u32, directions: &[u32; 32]) -> u32 {
     let mut sum = 0;
-    let mut bit = 0;
-    while bit < 32 {
-        if index >> bit & 1 == 1 {
-            sum ^= directions[bit];
-        }
-        bit += 1;
+    let mut rest = index;
+    while rest != 0 {
+        sum ^= directions[(rest.trailing_zeros() & 31) as usize];
+        rest &= rest - 1;
     }
     sum
 }
 
-/// Direction numbers by the recurrence of a primitive polynomial of degree `s` with inner coefficients `a`.
-const fn directions(s: usize, a: u32, m: [u32; 3]) -> [u32; 32] {
+/// Direction numbers from the initial ones, `m`, and the inner coefficients `a` of a primitive polynomial of degree
+/// `m.len()` (at most 32 are read), in the notation of Joe and Kuo 2008.
+#[must_use]
+pub const fn directions(a: u32, m: &[u32]) -> [u32; 32] {
+    let s = if m.len() < 32 { m.len() } else { 32 };
     let mut v = [0u32; 32];
     let mut k = 0;
     while k < 32 {

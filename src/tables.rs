@@ -3,6 +3,9 @@
 #[allow(unused_imports, reason = "without a mask feature there is no mask")]
 use crate::mask::{ScalarMask, VectorMask};
 
+#[allow(unused_imports, reason = "without a Sobol feature there are no directions")]
+use crate::sobol::Directions;
+
 pub use crate::effort::Effort;
 
 include!(concat!(env!("OUT_DIR"), "/tables.rs"));

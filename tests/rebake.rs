@@ -108,6 +108,27 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
 }
 
 #[test]
+fn directions_are_as_recorded() {
+    let (digests, _) = recorded();
+    let all = bake::directions::read(&tables(), &digests).expect("joe_kuo");
+    assert_eq!(all.len(), 1024);
+    macro_rules! table {
+        ($feature:literal, $table:ident) => {
+            #[cfg(feature = $feature)]
+            for (d, numbers) in (0..).zip(&all) {
+                let embedded: [u32; 32] = core::array::from_fn(|bit| bluedither::tables::$table.dimension(1 << bit, d));
+                let first = &all[d as usize % (size_of_val(&bluedither::tables::$table) / 128)];
+                assert_eq!(&embedded, first, "dimension {d} of {}: {numbers:?}", $feature);
+            }
+        };
+    }
+    table!("sobol-16", SOBOL_16);
+    table!("sobol-64", SOBOL_64);
+    table!("sobol-256", SOBOL_256);
+    table!("sobol-1024", SOBOL_1024);
+}
+
+#[test]
 fn threads_make_no_difference() {
     let (_, inputs) = recorded();
     let bake_all = || -> Vec<Vec<u16>> {
@@ -233,6 +254,13 @@ fn write_tables() {
             "samples, kx, ky, weight: the features of the annealer (src/bake/features.rs), largest variance first.";
         input(name, &formula(head), flat(columns), 4);
     }
+    // Not ours to derive: recorded as it stands.
+    let words: Vec<i64> = include_str!("../tables/joe_kuo.txt")
+        .lines()
+        .flat_map(|line| line.split('#').next().unwrap_or("").split_whitespace())
+        .map(|word| word.parse().expect("an integer"))
+        .collect();
+    digests.lines.push(("input".into(), "joe_kuo".into(), bake::digest::digest(words)));
     for effort in Effort::ALL {
         let recipes = bake::recipe::all();
         let baked: Vec<u64> =

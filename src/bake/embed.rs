@@ -3,6 +3,7 @@
 
 use core::fmt::Write as _;
 
+use super::directions;
 use super::recipe::{Kind, Recipe};
 use crate::effort::Effort;
 
@@ -40,6 +41,21 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
             .expect("a String grows");
         }
         text.push_str("],\n");
+    }
+    text.push_str("]);\n");
+    text
+}
+
+/// The `static` of the first `count` dimensions, with its docs.
+pub fn directions(count: usize, all: &[[u32; 32]]) -> String {
+    let mut text = format!(
+        "/// Direction numbers of the first {count} dimensions (Joe and Kuo 2008), {} bytes.\n\
+         pub static {}: Directions<{count}> = Directions::new([\n",
+        directions::bytes(count),
+        directions::name(count).to_uppercase(),
+    );
+    for numbers in &all[..count] {
+        writeln!(text, "{numbers:?},").expect("a String grows");
     }
     text.push_str("]);\n");
     text

@@ -70,7 +70,7 @@ impl Inputs {
 }
 
 /// The integers of `tables/NAME.txt`, where `#` starts a comment, when their digest is the recorded one.
-fn integers(tables: &Path, name: &str, digests: &Digests) -> Result<Vec<i64>, String> {
+pub fn integers(tables: &Path, name: &str, digests: &Digests) -> Result<Vec<i64>, String> {
     let text = read_text(tables, name)?;
     let words = text.lines().flat_map(|line| line.split('#').next().unwrap_or("").split_whitespace());
     let list: Result<Vec<i64>, _> = words.map(str::parse).collect();
@@ -81,6 +81,7 @@ fn integers(tables: &Path, name: &str, digests: &Digests) -> Result<Vec<i64>, St
     }
 }
 
-fn damaged(name: &str) -> String {
+/// The line that says so.
+pub fn damaged(name: &str) -> String {
     format!("tables/{name}.txt is damaged: restore it from the package, or record it anew (see tables/digests.txt)")
 }

@@ -5,6 +5,7 @@
 
 pub mod anneal;
 pub mod digest;
+pub mod directions;
 pub mod embed;
 pub mod features;
 pub mod inputs;
