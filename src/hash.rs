@@ -62,6 +62,15 @@ pub const fn owen(value_fx: u32, seed: u32) -> u32 {
     laine_karras(value_fx.reverse_bits(), seed).reverse_bits()
 }
 
+/// Another seed from a seed: the upper half of a product, in which every bit has a say. Cheaper than [`mix`], and enough
+/// for a hash that goes on.
+#[inline]
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "a half of a word")]
+pub const fn other(seed: u32) -> u32 {
+    ((seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as u32
+}
+
 /// Base-4 form of [`laine_karras`]: pairs of bits are digits, and every digit goes through a permutation of {0, 1, 2, 3}
 /// that a hash of the digits *below* it has chosen.
 ///
@@ -74,7 +83,7 @@ pub const fn owen(value_fx: u32, seed: u32) -> u32 {
 pub const fn laine_karras_4(value_rev: u32, seed: u32) -> u32 {
     const FIRST: u32 = 0x5555_5555;
     // Three bits of choice a digit: two that know the digits below, and one of those below the last.
-    let own = mix(seed);
+    let own = other(seed);
     let hash = laine_karras(value_rev, own);
     let choice = (hash << 2) | (own >> 30);
     let third = (hash << 4) | (own >> 26 & 0xf);

@@ -9,17 +9,20 @@
 #[inline]
 #[must_use]
 pub const fn morton(x: u32, y: u32) -> u64 {
-    spread(x) | spread(y) << 1
+    morton_16(x, y) as u64 | (morton_16(x >> 16, y >> 16) as u64) << 32
 }
 
-/// Bit k goes to bit 2k.
-const fn spread(value: u32) -> u64 {
-    let mut n = value as u64;
-    n = (n | n << 16) & 0x0000_ffff_0000_ffff;
+/// The lower half of the code, from the lower 16 bits of both. Both are spread in one word.
+#[inline]
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "32 bits are left")]
+pub const fn morton_16(x: u32, y: u32) -> u32 {
+    let mut n = (x & 0xffff) as u64 | ((y & 0xffff) as u64) << 32;
     n = (n | n << 8) & 0x00ff_00ff_00ff_00ff;
     n = (n | n << 4) & 0x0f0f_0f0f_0f0f_0f0f;
     n = (n | n << 2) & 0x3333_3333_3333_3333;
-    (n | n << 1) & 0x5555_5555_5555_5555
+    n = (n | n << 1) & 0x5555_5555_5555_5555;
+    (n | n >> 31) as u32
 }
 
 /// Where place `place_rev`, bit-reversed, of a Z curve begins: its sample i is point `first_index ^ i` of [`sobol`].

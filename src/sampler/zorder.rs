@@ -35,12 +35,10 @@ impl ZOrder {
     /// The samples of one pixel in one frame.
     #[inline]
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, reason = "the lower half of the code, then the upper")]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> ZOrderPixel {
-        let code = zorder::morton(x, y);
-        let (near, far) = (code as u32, (code >> 32) as u32);
-        let seed = hash::combine(hash::combine(self.seed, frame), far);
-        ZOrderPixel { seed, place_rev: hash::laine_karras_4(near.reverse_bits(), seed) }
+        let block = (x >> 16) | (y & 0xffff_0000);
+        let seed = hash::combine(hash::combine(self.seed, frame), block);
+        ZOrderPixel { seed, place_rev: hash::laine_karras_4(zorder::morton_16(x, y).reverse_bits(), seed) }
     }
 }
 
@@ -70,7 +68,7 @@ impl ZOrderPixel {
         // Without an order of its own, a domain would fill its strata over the pixels in step with the others.
         let place_rev = hash::laine_karras(self.place_rev, (seeds >> 16) as u32);
         // Neighbours differ in the upper bits alone: the upper half of a product spreads them.
-        let order = ((place_rev as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as u32;
+        let order = hash::other(place_rev);
         Pair { first: zorder::first_index(place_rev), order, seeds: [seeds as u32, (seeds >> 32) as u32] }
     }
 }
@@ -87,12 +85,15 @@ struct Pair {
 
 impl Pair {
     #[inline]
+    #[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
     const fn at(self, index: u32) -> [u32; 2] {
         // The pairs of a pixel see the same first 2ᵏ samples in orders of their own.
         let index = hash::shuffle_rev(index.reverse_bits(), self.order).reverse_bits() ^ self.first;
         let x = hash::laine_karras(index, self.seeds[0]);
         let y = hash::laine_karras(sobol::dimension_1_rev(index), self.seeds[1]);
-        [x.reverse_bits(), y.reverse_bits()]
+        // Two reversals for the price of one.
+        let both = ((y as u64) << 32 | x as u64).reverse_bits();
+        [(both >> 32) as u32, both as u32]
     }
 }
 
