@@ -66,7 +66,6 @@ pub const fn owen(value_fx: u32, seed: u32) -> u32 {
 /// for a hash that goes on.
 #[inline]
 #[must_use]
-#[expect(clippy::cast_possible_truncation, reason = "a half of a word")]
 pub const fn other(seed: u32) -> u32 {
     ((seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as u32
 }
@@ -76,8 +75,9 @@ pub const fn other(seed: u32) -> u32 {
 ///
 /// All 24 permutations occur: each of the three ways to halve the four values, with chances of 3/8, 3/8 and 2/8, times
 /// the eight permutations that keep a half together, with equal chances. Binary scrambling has one way only; the
-/// hash of Blender's Cycles, which adds two conditional flips to it, two, and one in the first digit (counted). Hash
-/// `seed` first.
+/// hash of Blender's Cycles, which adds two conditional flips to it, two, and one in the first digit (counted). Below two
+/// values of a digit the choices are not quite independent: they agree less often than chance would have it. Hash `seed`
+/// first.
 #[inline]
 #[must_use]
 pub const fn laine_karras_4(value_rev: u32, seed: u32) -> u32 {

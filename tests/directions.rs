@@ -27,7 +27,7 @@ fn directions_follow_the_recurrence() {
         let (s, a) = (row[1] as usize, row[2]);
         let mut m = row[3..].to_vec();
         for k in s..32 {
-            let inner = (1..s).fold(0, |sum, j| sum ^ (a >> (s - 1 - j) & 1) * (m[k - j] << j));
+            let inner = (1..s).fold(0, |sum, j| sum ^ ((a >> (s - 1 - j) & 1) * (m[k - j] << j)));
             m.push(m[k - s] << s ^ m[k - s] ^ inner);
         }
         let initial: Vec<u32> = m[..s].iter().map(|&m| m as u32).collect();

@@ -135,7 +135,7 @@ fn fibonacci_lattices_are_the_best_of_their_size() {
 /// The product of two 0.128 numbers.
 fn multiply(a: u128, b: u128) -> u128 {
     let ([a1, a0], [b1, b0]) = ([a >> 64, a & u128::from(u64::MAX)], [b >> 64, b & u128::from(u64::MAX)]);
-    a1 * b1 + (a1 * b0 >> 64) + (a0 * b1 >> 64)
+    a1 * b1 + ((a1 * b0) >> 64) + ((a0 * b1) >> 64)
 }
 
 #[test]

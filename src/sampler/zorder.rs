@@ -52,30 +52,25 @@ pub struct ZOrderPixel {
 
 impl ZOrderPixel {
     #[inline]
-    const fn single_fx(self, domain: u32, pad: u32, index: u32) -> u32 {
-        self.pair(domain, pad).at(index)[0]
-    }
-
-    #[inline]
-    const fn pair_fx(self, domain: u32, pad: u32, index: u32) -> [u32; 2] {
-        self.pair(domain, pad).at(index)
+    const fn single(self, domain: u32, pad: u32) -> ZOrderSingle {
+        ZOrderSingle(self.pair(domain, pad))
     }
 
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
-    const fn pair(self, domain: u32, pad: u32) -> Pair {
+    const fn pair(self, domain: u32, pad: u32) -> ZOrderPair {
         let seeds = hash::mix_64((self.seed as u64) << 32 | (domain ^ pad.wrapping_mul(0x5bd1_e995)) as u64);
         // Without an order of its own, a domain would fill its strata over the pixels in step with the others.
         let place_rev = hash::laine_karras(self.place_rev, (seeds >> 16) as u32);
         // Neighbours differ in the upper bits alone: the upper half of a product spreads them.
         let order = hash::other(place_rev);
-        Pair { first: zorder::first_index(place_rev), order, seeds: [seeds as u32, (seeds >> 32) as u32] }
+        ZOrderPair { first: zorder::first_index(place_rev), order, seeds: [seeds as u32, (seeds >> 32) as u32] }
     }
 }
 
 /// What a pair of dimensions has for all samples of a pixel.
-#[derive(Clone, Copy, Debug)]
-struct Pair {
+#[derive(Clone, Copy)]
+struct ZOrderPair {
     /// Where the pixel begins on the Sobol sequence.
     first: u32,
     /// The order of its samples.
@@ -83,17 +78,33 @@ struct Pair {
     seeds: [u32; 2],
 }
 
-impl Pair {
+impl ZOrderPair {
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
     const fn at(self, index: u32) -> [u32; 2] {
-        // The pairs of a pixel see the same first 2ᵏ samples in orders of their own.
-        let index = hash::shuffle_rev(index.reverse_bits(), self.order).reverse_bits() ^ self.first;
+        let index = self.index(index);
         let x = hash::laine_karras(index, self.seeds[0]);
         let y = hash::laine_karras(sobol::dimension_1_rev(index), self.seeds[1]);
         // Two reversals for the price of one.
         let both = ((y as u64) << 32 | x as u64).reverse_bits();
         [(both >> 32) as u32, both as u32]
+    }
+
+    /// On the Sobol sequence. The pairs of a pixel see the same first 2ᵏ samples in orders of their own.
+    #[inline]
+    const fn index(self, index: u32) -> u32 {
+        hash::shuffle_rev(index.reverse_bits(), self.order).reverse_bits() ^ self.first
+    }
+}
+
+/// The first of a pair.
+#[derive(Clone, Copy)]
+struct ZOrderSingle(ZOrderPair);
+
+impl ZOrderSingle {
+    #[inline]
+    const fn at(self, index: u32) -> u32 {
+        hash::laine_karras(self.0.index(index), self.0.seeds[0]).reverse_bits()
     }
 }
 
