@@ -1,0 +1,59 @@
+//! The command line.
+
+use crate::samplers;
+use clap::builder::PossibleValuesParser;
+use clap::{Parser, ValueEnum};
+use std::path::PathBuf;
+
+/// Measure every sampler and its peers: error, spectra, speed, size. Writes a page, tables and numbers.
+#[derive(Debug, Parser)]
+#[command(name = "report", after_help = EXAMPLE)]
+pub struct Arguments {
+    /// What to measure; everything if none is named
+    #[arg(value_enum)]
+    parts: Vec<Part>,
+
+    /// Samplers, a list; "white" is always measured, since the others are held against it
+    #[arg(long, value_delimiter = ',', value_parser = PossibleValuesParser::new(samplers::NAMES))]
+    only: Vec<String>,
+
+    /// Fewer seeds and sample counts: at most a minute
+    #[arg(long)]
+    pub quick: bool,
+
+    /// The first of the seeds
+    #[arg(long, default_value_t = 1)]
+    pub seed: u32,
+
+    /// Folder to write to; it is made if need be
+    #[arg(long, default_value = "target/report")]
+    pub out: PathBuf,
+}
+
+const EXAMPLE: &str = "Example: the error table of one sampler, beside white noise
+  cargo run --release -p report -- --only dithered error";
+
+/// A part of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Part {
+    /// Error at powers of two: W, G, root mean squares, spikes
+    Error,
+}
+
+impl Arguments {
+    /// The chosen samplers in the order of the tables.
+    pub fn samplers(&self) -> Vec<&'static str> {
+        let chosen =
+            |name: &str| self.only.is_empty() || name == samplers::WHITE || self.only.iter().any(|s| s == name);
+        samplers::NAMES.iter().copied().filter(|name| chosen(name)).collect()
+    }
+
+    pub fn has(&self, part: Part) -> bool {
+        self.parts.is_empty() || self.parts.contains(&part)
+    }
+
+    /// Seeds of every error figure.
+    pub fn seeds(&self) -> u32 {
+        if self.quick { 4 } else { 16 }
+    }
+}

@@ -1,0 +1,124 @@
+//! Tests of the analysis itself.
+
+use crate::analysis::integrands::{evaluation_half_plane_2d, evaluation_smooth_2d};
+use crate::analysis::random::Random;
+use crate::family::{ALL, FIXED, Family, Integrands, SMOOTH};
+use crate::field::{PIXELS, SIZE};
+use crate::figures::figures;
+use crate::filter::{FILTERS, Filter};
+use crate::measure::{Bench, Setting};
+use crate::power::Analyser;
+use crate::samplers::WHITE;
+
+/// The fast integrands are the slow ones, in their order.
+#[test]
+fn integrands_are_those_of_the_analysis() {
+    let fast = Integrands::new();
+    let mut slow = evaluation_smooth_2d();
+    // Draws of ten: six fixed ones, four edges. Kept: the first six, all edges.
+    let edges = slow.iter().enumerate().filter(|(k, _)| k % 10 >= FIXED).map(|(k, _)| k);
+    let order: Vec<usize> = (0..FIXED).chain(edges).chain(slow.len()..slow.len() + 64).collect();
+    slow.extend(evaluation_half_plane_2d());
+    assert_eq!(order.len(), ALL);
+    let mut random = Random::new(9);
+    for _ in 0..200 {
+        let point = [random.uniform() as f32, random.uniform() as f32];
+        let mut sums = [0.0; ALL];
+        fast.add(point, &mut sums);
+        let errors = fast.errors(&sums, 1);
+        for (k, &from) in order.iter().enumerate() {
+            let expected = slow[from].at(point.map(f64::from)) - slow[from].exact;
+            assert!((f64::from(errors[k]) - expected).abs() < 2e-6, "{} at {point:?}", slow[from].name);
+        }
+    }
+}
+
+/// A wave has its power in two bins; a filter leaves of it what its response says.
+#[test]
+fn a_wave_is_found_where_it_is() {
+    let wave = |fx: f64, fy: f64, p: usize| {
+        (std::f64::consts::TAU * (fx * (p % SIZE) as f64 + fy * (p / SIZE) as f64) / SIZE as f64).cos()
+    };
+    let a: Vec<f32> = (0..PIXELS).map(|p| wave(5.0, 9.0, p) as f32).collect();
+    let b: Vec<f32> = (0..PIXELS).map(|p| 0.5 + 2.0 * wave(20.0, 0.0, p) as f32).collect();
+    let analyser = Analyser::new();
+    let (mut largest, mut dc) = ([(0.0f32, 0); 2], [0.0; 2]);
+    let squares = analyser.pair([&a, &b], &mut analyser.scratch(), |k, powers| {
+        for image in 0..2 {
+            if k == 0 {
+                dc[image] = powers[image];
+            } else if powers[image] > largest[image].0 {
+                largest[image] = (powers[image], k);
+            }
+        }
+    });
+    // Axes are swapped.
+    assert!([5 * SIZE + 9, (SIZE - 5) * SIZE + SIZE - 9].contains(&largest[0].1) && (largest[0].0 - 0.25).abs() < 1e-4);
+    assert!([20 * SIZE, (SIZE - 20) * SIZE].contains(&largest[1].1) && (largest[1].0 - 1.0).abs() < 1e-4);
+    assert!(dc[0] < 1e-6 && (dc[1] - 0.25).abs() < 1e-4);
+    assert!((squares[0].plain - 0.5).abs() < 1e-4 && (squares[1].plain - 2.25).abs() < 1e-4);
+    for (k, filter) in FILTERS.into_iter().enumerate() {
+        let response = |f: f64| match filter {
+            // The sampled Gaussian's transform: Gaussians that repeat, over their sum at 0.
+            Filter::Gauss(sigma) => {
+                let gauss = |f: f64| (-2.0 * (std::f64::consts::PI * sigma * f / SIZE as f64).powi(2)).exp();
+                let sum = |f: f64| (-2..3).map(|turn| gauss(f + f64::from(turn) * SIZE as f64)).sum::<f64>();
+                sum(f) / sum(0.0)
+            }
+            Filter::Box(side) => {
+                let turn = std::f64::consts::TAU * f / SIZE as f64;
+                (0..side).map(|d| (turn * (d as f64 - (side / 2) as f64)).cos()).sum::<f64>() / side as f64
+            }
+        };
+        let expected = [0.5 * (response(5.0) * response(9.0)).powi(2), 0.25 + 2.0 * response(20.0).powi(2)];
+        for image in 0..2 {
+            let found = squares[image].filtered[k];
+            assert!((found - expected[image]).abs() < 2e-4, "{filter:?}: {found}, {}", expected[image]);
+        }
+    }
+}
+
+/// The filters agree with the direct ones of the analysis.
+#[test]
+fn filters_are_those_of_the_analysis() {
+    let mut random = Random::new(3);
+    let image: Vec<f32> = (0..PIXELS).map(|_| random.normal() as f32).collect();
+    let analyser = Analyser::new();
+    let [squares, _] = analyser.pair([&image, &image], &mut analyser.scratch(), |_, _| ());
+    let direct = crate::analysis::error::ErrorImage { size: SIZE, errors: image.iter().map(|&e| e.into()).collect() };
+    for (k, filter) in FILTERS.into_iter().enumerate() {
+        if let Filter::Gauss(sigma) = filter {
+            let (found, expected) = (squares.filtered[k].sqrt(), direct.filtered_rms(sigma));
+            assert!((found / expected - 1.0).abs() < 1e-4, "{filter:?}: {found} for {expected}");
+        }
+    }
+}
+
+/// White noise against white noise of other seeds: W and G are 1 within their errors, the spike is that of chance.
+#[test]
+fn white_against_white_is_one() {
+    let bench = Bench::new();
+    for count in [1, 4] {
+        let [one, other] =
+            [100, 200].map(|first_seed| bench.measure(WHITE, Setting { spp: count, count, first_seed, seeds: 8 }));
+        for family in Family::BOTH {
+            let found = figures(&one, &other, family);
+            for (f, w) in found.w.into_iter().enumerate() {
+                assert!((w.mean - 1.0).abs() < 4.0 * w.error, "{family:?} {:?}: {w:?}", FILTERS[f]);
+                assert!(w.error > 0.0 && w.error < 0.05, "{family:?} {:?}: {w:?}", FILTERS[f]);
+                assert!((found.g[f] - 1.0).abs() < 0.1, "{family:?} {:?}: {}", FILTERS[f], found.g[f]);
+            }
+        }
+        for spike in one.spikes {
+            // The largest of 8192 sums of 8 exponential numbers.
+            assert!((2.4..6.0).contains(&spike), "{spike}");
+        }
+    }
+}
+
+/// The order of the integrands: the smooth ones first, both parts even.
+#[test]
+fn families_are_even() {
+    assert_eq!((SMOOTH % 2, ALL % 2), (0, 0));
+    assert_eq!(Family::Smooth.range().len() + Family::HalfPlanes.range().len(), ALL);
+}

@@ -1,0 +1,45 @@
+//! Error images of a sampler: every integrand of both families from one draw of the samples.
+
+use crate::family::{ALL, Integrands};
+use crate::shape::Sampler;
+
+/// Pixels on a side of every error image.
+pub const SIZE: usize = 128;
+/// Pixels of an error image.
+pub const PIXELS: usize = SIZE * SIZE;
+
+/// What is drawn for one set of error images.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn {
+    pub seed: u32,
+    /// What the sampler is told.
+    pub spp: u32,
+    /// How many samples are taken; fewer than `spp` make a prefix.
+    pub count: u32,
+}
+
+/// One image an integrand, one after the other, each row by row.
+pub fn error_images<S: Sampler>(sampler: &S, drawn: Drawn, integrands: &Integrands) -> Vec<f32> {
+    // Several pixels at a time: written one by one, the images would share a cache line's place.
+    const RUN: usize = 16;
+    let mut images = vec![0.0; ALL * PIXELS];
+    let mut errors = [[0.0; ALL]; RUN];
+    let made = sampler.make(drawn.seed, drawn.spp);
+    for start in (0..PIXELS).step_by(RUN) {
+        for (k, errors) in errors.iter_mut().enumerate() {
+            let (x, y) = ((start + k) % SIZE, (start + k) / SIZE);
+            let pixel = sampler.pixel(&made, x as u32, y as u32, 0);
+            let mut sums = [0.0; ALL];
+            for index in 0..drawn.count {
+                integrands.add(sampler.draw_2(pixel, 0, index), &mut sums);
+            }
+            *errors = integrands.errors(&sums, drawn.count);
+        }
+        for (integrand, image) in images.chunks_exact_mut(PIXELS).enumerate() {
+            for (out, errors) in image[start..start + RUN].iter_mut().zip(&errors) {
+                *out = errors[integrand];
+            }
+        }
+    }
+    images
+}

@@ -1,0 +1,153 @@
+//! The error of one sampler at one number of samples, over all seeds: mean squares an integrand, spikes, spectra.
+
+use crate::family::{ALL, Family, Integrands, LINES, SMOOTH};
+use crate::field::{Drawn, PIXELS, SIZE, error_images};
+use crate::power::{Analyser, Squares};
+use crate::samplers;
+use crate::shape::{Sampler, Task};
+use rayon::prelude::*;
+
+/// What is measured: a sampler told `spp`, `count` of its samples taken, over seeds.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    pub spp: u32,
+    pub count: u32,
+    pub first_seed: u32,
+    pub seeds: u32,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    pub count: u32,
+    /// Of each seed, each integrand.
+    pub squares: Vec<[Squares; ALL]>,
+    /// Of each half-plane: the largest bin of the mean periodogram over the mean bin, both for |f| > 0.
+    pub spikes: [f64; LINES],
+    /// Mean power in rings of |f| over the mean for |f| > 0, of each family; ring k is k cycles an image.
+    pub radial: [Vec<f64>; 2],
+}
+
+/// All that does not depend on the sampler, made once.
+pub struct Bench {
+    pub integrands: Integrands,
+    pub analyser: Analyser,
+}
+
+impl Bench {
+    pub fn new() -> Self {
+        Self { integrands: Integrands::new(), analyser: Analyser::new() }
+    }
+
+    /// The error of the sampler of that name.
+    pub fn measure(&self, name: &str, setting: Setting) -> Measured {
+        samplers::with(name, &Error { bench: self, setting })
+    }
+}
+
+struct Error<'a> {
+    bench: &'a Bench,
+    setting: Setting,
+}
+
+/// The squares and periodograms of some seeds.
+struct Sums {
+    squares: Vec<[Squares; ALL]>,
+    /// Of the smooth family together, each image's power made 1; then of each half-plane.
+    power: Vec<f32>,
+}
+
+impl Sums {
+    fn new() -> Self {
+        Self { squares: Vec::new(), power: vec![0.0; (1 + LINES) * PIXELS] }
+    }
+
+    fn and(mut self, mut other: Self) -> Self {
+        self.squares.append(&mut other.squares);
+        self.power.iter_mut().zip(&other.power).for_each(|(a, b)| *a += b);
+        self
+    }
+}
+
+impl Task for Error<'_> {
+    type Output = Measured;
+
+    fn run(&self, sampler: &impl Sampler) -> Measured {
+        let Self { bench, setting: Setting { spp, count, first_seed, seeds } } = *self;
+        let one = |mut sums: Sums, seed: u32| {
+            let drawn = Drawn { seed: first_seed.wrapping_add(seed), spp, count };
+            let images = error_images(sampler, drawn, &bench.integrands);
+            let mut squares = Vec::with_capacity(ALL);
+            let mut scratch = bench.analyser.scratch();
+            for (k, pair) in images.chunks_exact(2 * PIXELS).enumerate() {
+                let (a, b) = pair.split_at(PIXELS);
+                if 2 * k < SMOOTH {
+                    let power = &mut sums.power[..PIXELS];
+                    let scale = [a, b].map(|image| 1.0 / image.iter().map(|e| e * e).sum::<f32>().max(1e-30));
+                    let see = |f: usize, p: [f32; 2]| power[f] += p[0] * scale[0] + p[1] * scale[1];
+                    squares.extend(bench.analyser.pair([a, b], &mut scratch, see));
+                } else {
+                    let start = (1 + 2 * k - SMOOTH) * PIXELS;
+                    let (first, second) = sums.power[start..start + 2 * PIXELS].split_at_mut(PIXELS);
+                    let see = |f: usize, p: [f32; 2]| (first[f], second[f]) = (first[f] + p[0], second[f] + p[1]);
+                    squares.extend(bench.analyser.pair([a, b], &mut scratch, see));
+                }
+            }
+            sums.squares.push(squares.try_into().expect("one for each integrand"));
+            sums
+        };
+        let sums = (0..seeds).into_par_iter().fold(Sums::new, one).reduce(Sums::new, Sums::and);
+        let lines: Vec<&[f32]> = sums.power[PIXELS..].chunks_exact(PIXELS).collect();
+        Measured {
+            count,
+            squares: sums.squares,
+            spikes: core::array::from_fn(|line| spike(lines[line])),
+            radial: [radial(&sums.power[..PIXELS]), radial(&sum(&lines))],
+        }
+    }
+}
+
+fn spike(power: &[f32]) -> f64 {
+    let (mut most, mut sum) = (0.0f32, 0.0f64);
+    for &power in &power[1..] {
+        most = most.max(power);
+        sum += f64::from(power);
+    }
+    if sum > 0.0 { f64::from(most) / (sum / (PIXELS - 1) as f64) } else { 0.0 }
+}
+
+fn sum(images: &[&[f32]]) -> Vec<f32> {
+    (0..PIXELS).map(|k| images.iter().map(|image| image[k]).sum()).collect()
+}
+
+fn radial(power: &[f32]) -> Vec<f64> {
+    let mean = power[1..].iter().map(|&p| f64::from(p)).sum::<f64>() / (PIXELS - 1) as f64;
+    let fold = |k: usize| k.min(SIZE - k) as f64;
+    // Ring 0 stays empty; the last is the corner.
+    let corner = fold(SIZE / 2).hypot(fold(SIZE / 2)).round() as usize;
+    let mut rings = vec![(0.0f64, 0.0f64); corner + 1];
+    for k in 1..PIXELS {
+        let ring = fold(k % SIZE).hypot(fold(k / SIZE)).round() as usize;
+        rings[ring].0 += f64::from(power[k]);
+        rings[ring].1 += 1.0;
+    }
+    rings.iter().map(|(sum, n)| sum / n.max(1.0) / mean).collect()
+}
+
+impl Measured {
+    /// The mean square of a family in one seed, each integrand divided by `unit` first, weighted.
+    pub fn family(&self, seed: usize, family: Family, unit: &[f64; ALL], of: impl Fn(&Squares) -> f64) -> f64 {
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for k in family.range() {
+            sum += Family::weight(k) * of(&self.squares[seed][k]) / unit[k];
+            weights += Family::weight(k);
+        }
+        sum / weights
+    }
+
+    /// The mean square of every integrand over the seeds.
+    pub fn plain(&self) -> [f64; ALL] {
+        let mean = |k: usize| self.squares.iter().map(|s| s[k].plain).sum::<f64>() / self.squares.len() as f64;
+        core::array::from_fn(mean)
+    }
+}

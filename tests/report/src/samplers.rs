@@ -1,0 +1,36 @@
+//! The samplers that are measured: one line each.
+
+use crate::shape::{Task, shape};
+use bluedither::{Constant, Dithered, White};
+
+/// The control that all others are held against.
+pub const WHITE: &str = "white";
+
+macro_rules! samplers {
+    (|$seed:ident, $spp:ident| $($name:literal => $sampler:expr,)*) => {
+        /// All names, in the order of the tables.
+        pub const NAMES: &[&str] = &[$($name),*];
+
+        /// Does a task with the sampler of that name.
+        pub fn with<T: Task>(name: &str, task: &T) -> T::Output {
+            match name {
+                $($name => task.run(&shape(
+                    |$seed: u32, $spp: u32| { _ = $spp; $sampler },
+                    |sampler, x, y, frame| sampler.pixel(x, y, frame),
+                    |pixel, domain, index| pixel.draw::<1>(domain, index),
+                    |pixel, domain, index| pixel.draw::<2>(domain, index),
+                    |pixel, domain, index| pixel.draw::<4>(domain, index),
+                )),)*
+                _ => unreachable!("names are checked when arguments are read"),
+            }
+        }
+    };
+}
+
+// Any expression whose value has `pixel(x, y, frame)` and its `draw::<D>(domain, index)`.
+samplers! { |seed, spp|
+    "white" => White::with_spp(seed, spp),
+    "constant" => Constant::with_spp(seed, spp),
+    "dithered" => Dithered::with_spp(seed, spp),
+    "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp),
+}
