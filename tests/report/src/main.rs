@@ -18,6 +18,7 @@ mod field;
 mod figures;
 mod filter;
 mod measure;
+mod peers;
 mod power;
 #[path = "../../../examples/render/progress.rs"]
 mod progress;

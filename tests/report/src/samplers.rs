@@ -1,5 +1,6 @@
 //! The samplers that are measured: one line each.
 
+use crate::peers::{Cycles, Heitz, Pbrt, Pcg, RandomPattern, SobolBurley};
 use crate::shape::{Task, shape};
 use bluedither::{Constant, Dithered, White};
 
@@ -32,5 +33,12 @@ samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),
     "constant" => Constant::with_spp(seed, spp),
     "dithered" => Dithered::with_spp(seed, spp),
+    "dithered-progressive" => Dithered::new(seed),
     "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp),
+    "dithered-random" => RandomPattern::new(seed),
+    "pcg" => Pcg::new(seed),
+    "sobol_burley" => SobolBurley::new(seed),
+    "heitz-2019" => Heitz::with_spp(seed, spp),
+    "cycles-z" => Cycles::with_spp(seed, spp),
+    "pbrt-z" => Pbrt::with_spp(seed, spp),
 }
