@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::error_part::COUNTS;
 use crate::samplers;
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, ValueEnum};
@@ -36,8 +37,14 @@ const EXAMPLE: &str = "Example: the error table of one sampler, beside white noi
 /// A part of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Part {
-    /// Error at powers of two: W, G, root mean squares, spikes
+    /// Error at powers of two: W, G, root mean squares, spikes, other filters, spectra
     Error,
+    /// Error of the first samples of a larger set
+    Prefixes,
+    /// Error at sample counts that are no powers of two
+    Odd,
+    /// Nanoseconds a number
+    Speed,
 }
 
 impl Arguments {
@@ -54,6 +61,16 @@ impl Arguments {
 
     /// Seeds of every error figure.
     pub fn seeds(&self) -> u32 {
-        if self.quick { 4 } else { 16 }
+        if self.quick { 2 } else { 16 }
+    }
+
+    /// Samples per pixel of the error figures.
+    pub fn counts(&self) -> &'static [u32] {
+        if self.quick { &COUNTS[..5] } else { &COUNTS }
+    }
+
+    /// Rounds of every timing.
+    pub fn rounds(&self) -> usize {
+        if self.quick { 9 } else { 31 }
     }
 }

@@ -3,6 +3,7 @@
 use crate::family::Family;
 use crate::figures::{Figures, Value, figures, spikes};
 use crate::filter::FILTERS;
+use crate::frozen;
 use crate::measure::{Bench, Measured, Setting};
 use crate::progress::Progress;
 use crate::samplers::WHITE;
@@ -63,15 +64,28 @@ impl Errors {
         Table { id: id.into(), title: title.into(), about: about.into(), head, rows }
     }
 
-    /// All tables of this part.
+    /// W at sigma 1, 1.485 and 2.1, the first with what was published; G, root mean squares, spikes.
     pub fn tables(&self) -> Vec<Table> {
         let mut all = Vec::new();
-        for (k, family) in Family::BOTH.map(Family::name).into_iter().enumerate() {
-            for f in [0, 1, 2] {
-                all.push(self.w(k, f, family));
+        let families = || Family::BOTH.map(Family::name).into_iter().enumerate();
+        for (k, family) in families() {
+            let mut table = self.w(k, 0, family);
+            if self.counts == COUNTS {
+                table.rows.push(frozen::row(family));
             }
+            all.push(table);
         }
-        for (k, family) in Family::BOTH.map(Family::name).into_iter().enumerate() {
+        for (k, family) in families() {
+            all.push(self.table(
+                &format!("rms-{family}"),
+                &format!("Root-mean-square error, {family}"),
+                "Before any filter; in brackets over that of white noise.",
+                |entry| format!("{:.2e} ({})", entry.figures[k].rms, short(entry.figures[k].rms_over_white.mean)),
+            ));
+        }
+        all.push(self.spike());
+        for (k, family) in families() {
+            all.extend([1, 2].map(|f| self.w(k, f, family)));
             for (f, sigma) in [(0, "1"), (7, "2")] {
                 all.push(self.table(
                     &format!("gain-{sigma}-{family}"),
@@ -80,14 +94,28 @@ impl Errors {
                     |entry| short(entry.figures[k].g[f]),
                 ));
             }
-            all.push(self.table(
-                &format!("rms-{family}"),
-                &format!("Root-mean-square error, {family}"),
-                "Before any filter; in brackets over that of white noise.",
-                |entry| format!("{:.2e} ({})", entry.figures[k].rms, short(entry.figures[k].rms_over_white.mean)),
-            ));
         }
-        all.push(self.table(
+        all
+    }
+
+    /// W after the other filters.
+    pub fn filter_tables(&self) -> Vec<Table> {
+        let families = || Family::BOTH.map(Family::name).into_iter().enumerate();
+        families().flat_map(|(k, family)| [3, 4, 5, 6].map(|f| self.w(k, f, family))).collect()
+    }
+
+    /// W at sigma 1 alone, under another name and title.
+    pub fn brief(&self, id: &str, title: &str) -> Vec<Table> {
+        let brief = |(k, family): (usize, &str)| Table {
+            id: format!("{id}-{family}"),
+            title: format!("{title}, {family}"),
+            ..self.w(k, 0, family)
+        };
+        Family::BOTH.map(Family::name).into_iter().enumerate().map(brief).collect()
+    }
+
+    fn spike(&self) -> Table {
+        self.table(
             "spike",
             "Spike, half-planes",
             "Largest bin of the mean periodogram over the mean bin: mean over the lines (worst line). White: 2.3.",
@@ -95,8 +123,33 @@ impl Errors {
                 let [mean, worst] = spikes(&entry.measured.spikes);
                 format!("{mean:.1} ({worst:.0})")
             },
-        ));
-        all
+        )
+    }
+
+    /// Every figure at full length, a row each.
+    pub fn csv(&self) -> String {
+        let mut text = String::from("sampler,samples,family,figure,filter,value,standard_error\n");
+        for entry in &self.entries {
+            for (family, found) in Family::BOTH.into_iter().zip(&entry.figures) {
+                let start = format!("{},{},{}", entry.name, entry.measured.count, family.name());
+                let mut line = |figure: &str, filter: &str, value: f64, error: Option<f64>| {
+                    let error = error.map(|e| e.to_string()).unwrap_or_default();
+                    text += &format!("{start},{figure},{filter},{value},{error}\n");
+                };
+                for (f, filter) in FILTERS.into_iter().enumerate() {
+                    let name = filter.name();
+                    line("W", &name, found.w[f].mean, Some(found.w[f].error));
+                    line("G", &name, found.g[f], None);
+                    line("filtered", &name, found.filtered[f], None);
+                }
+                line("rms", "", found.rms, None);
+                line("rms over white", "", found.rms_over_white.mean, Some(found.rms_over_white.error));
+            }
+            let [mean, worst] = spikes(&entry.measured.spikes);
+            let start = format!("{},{},half-planes", entry.name, entry.measured.count);
+            text += &format!("{start},spike mean,,{mean},\n{start},spike worst,,{worst},\n");
+        }
+        text
     }
 
     /// W of a family after a filter.

@@ -10,6 +10,8 @@
 #[path = "../../analysis/mod.rs"]
 mod analysis;
 mod arguments;
+mod chapters;
+mod charts;
 #[cfg(test)]
 mod checks;
 mod error_part;
@@ -17,19 +19,25 @@ mod family;
 mod field;
 mod figures;
 mod filter;
+mod frozen;
 mod measure;
+mod page;
 mod peers;
+mod plot;
 mod power;
 #[path = "../../../examples/render/progress.rs"]
 mod progress;
 mod samplers;
 mod shape;
+mod speed;
 mod table;
 
-use arguments::{Arguments, Part};
+use arguments::Arguments;
 use clap::Parser;
+use page::Chapter;
+use std::path::Path;
 use std::process::ExitCode;
-use table::Table;
+use std::time::Instant;
 
 fn main() -> ExitCode {
     match run(&Arguments::parse()) {
@@ -41,16 +49,43 @@ fn main() -> ExitCode {
     }
 }
 
+/// Measures what was asked for, prints the tables, and writes them as a page, Markdown and CSV.
 fn run(arguments: &Arguments) -> Result<(), String> {
-    let names = arguments.samplers();
-    let bench = measure::Bench::new();
-    let mut tables: Vec<Table> = Vec::new();
-    if arguments.has(Part::Error) {
-        let counts: Vec<(u32, u32)> = error_part::COUNTS.map(|count| (count, count)).to_vec();
-        tables.extend(error_part::measure(&bench, &names, &counts, arguments.seed, arguments.seeds()).tables());
+    let start = Instant::now();
+    // Before the minutes of measuring, not after.
+    std::fs::create_dir_all(&arguments.out).map_err(|error| cannot_write(&arguments.out, &error))?;
+    let chapters::Report { chapters, csv } = chapters::measure(arguments);
+    let about = format!(
+        "Every sampler on the same integrands in one process. {} seeds from {} on, {:.0} s{}.",
+        arguments.seeds(),
+        arguments.seed,
+        start.elapsed().as_secs_f32(),
+        if arguments.quick { ", quick: fewer seeds and sample counts" } else { "" },
+    );
+    let markdown: String = chapters.iter().map(|chapter| markdown(chapter)).collect();
+    print!("{markdown}");
+    write(&arguments.out, "report.html", &page::page("bluedither: error, speed and size", &about, &chapters))?;
+    write(&arguments.out, "report.md", &format!("# bluedither: error, speed and size\n\n{about}\n{markdown}"))?;
+    for table in chapters.iter().flat_map(|chapter| &chapter.tables) {
+        write(&arguments.out, &format!("{}.csv", table.id), &table.csv())?;
     }
-    for table in &tables {
-        println!("{}", table.markdown());
+    for (name, text) in csv {
+        write(&arguments.out, name, &text)?;
     }
+    println!("\nwritten to {}: report.html, report.md and tables as CSV", arguments.out.display());
     Ok(())
+}
+
+fn markdown(chapter: &Chapter) -> String {
+    let tables: Vec<String> = chapter.tables.iter().map(table::Table::markdown).collect();
+    format!("\n## {}\n\n{}", chapter.title, tables.join("\n"))
+}
+
+fn write(folder: &Path, name: &str, text: &str) -> Result<(), String> {
+    let path = folder.join(name);
+    std::fs::write(&path, text).map_err(|error| cannot_write(&path, &error))
+}
+
+fn cannot_write(path: &Path, error: &std::io::Error) -> String {
+    format!("{} cannot be written ({error}): choose another folder by --out", path.display())
 }

@@ -1,0 +1,90 @@
+//! What is measured, in the order of the page.
+
+use crate::arguments::{Arguments, Part};
+use crate::charts;
+use crate::error_part::{self, Errors};
+use crate::measure::Bench;
+use crate::page::Chapter;
+use crate::speed;
+
+/// The page's chapters, and files of numbers beside their tables.
+#[derive(Debug)]
+pub struct Report {
+    pub chapters: Vec<Chapter>,
+    pub csv: Vec<(&'static str, String)>,
+}
+
+/// Runs every part that was asked for.
+pub fn measure(arguments: &Arguments) -> Report {
+    let names = arguments.samplers();
+    let bench = Bench::new();
+    let mut report = Report { chapters: Vec::new(), csv: Vec::new() };
+    let error = |counts: &[(u32, u32)]| error_part::measure(&bench, &names, counts, arguments.seed, arguments.seeds());
+
+    let speeds = arguments.has(Part::Speed).then(|| speed::measure(&names, arguments.rounds()));
+    if arguments.has(Part::Error) {
+        let counts: Vec<(u32, u32)> = arguments.counts().iter().map(|&count| (count, count)).collect();
+        let errors = error(&counts);
+        report.csv.push(("error.csv", errors.csv()));
+        report.chapters.extend(error_chapters(&errors, speeds.as_ref()));
+    }
+    if arguments.has(Part::Prefixes) {
+        let taken = [1, 2, 4, 8, 12].map(|count| (16, count));
+        report.chapters.push(Chapter {
+            title: "Prefixes".into(),
+            text: "Fewer samples taken than the sampler was told.".into(),
+            tables: error(&taken).brief("prefix", "W, sigma 1, the first of 16 samples"),
+            ..Chapter::default()
+        });
+    }
+    if arguments.has(Part::Odd) {
+        let counts = [3, 12, 48].map(|count| (count, count));
+        report.chapters.push(Chapter {
+            title: "Not powers of two".into(),
+            text: "The sampler is told the count.".into(),
+            tables: error(&counts).brief("odd", "W, sigma 1"),
+            ..Chapter::default()
+        });
+    }
+    if let Some(speeds) = speeds {
+        report.chapters.push(Chapter {
+            title: "Speed".into(),
+            text: "Compare columns of one run: clocks wander, ratios stay.".into(),
+            tables: speeds.tables(),
+            ..Chapter::default()
+        });
+    }
+    report
+}
+
+fn error_chapters(errors: &Errors, speeds: Option<&speed::Speeds>) -> Vec<Chapter> {
+    let mut figures = speeds.map(|speeds| charts::error_against_time(errors, speeds)).unwrap_or_default();
+    figures.extend(charts::error_against_samples(errors));
+    let error = Chapter {
+        title: "Error".into(),
+        text:
+            "W: what a viewer sees of the error, over white noise at the same number of samples. Filtered: a Gaussian \
+               of that standard deviation in pixels. Integrands are the same in all pixels, and no optimiser has seen \
+               them. In the first pictures lower left is better."
+                .into(),
+        figures,
+        tables: errors.tables(),
+    };
+    let filters = Chapter {
+        title: "Other filters".into(),
+        text: "Gaussians of .7 and 4 pixels; boxes of 3 and 5 pixels on a side.".into(),
+        tables: errors.filter_tables(),
+        ..Chapter::default()
+    };
+    let spectra = Chapter {
+        title: "Spectra".into(),
+        text: "Power of the error image, averaged over directions, cut off at 3. Low is what shows.".into(),
+        figures: [1, 4, 16]
+            .into_iter()
+            .filter(|c| errors.counts.contains(c))
+            .flat_map(|c| charts::spectra(errors, c))
+            .collect(),
+        ..Chapter::default()
+    };
+    vec![error, filters, spectra]
+}
