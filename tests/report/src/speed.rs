@@ -88,23 +88,29 @@ pub fn measure(names: &[&'static str], rounds: usize) -> Speeds {
     let mut random = crate::analysis::random::Random::new(1);
     let by_rows: Vec<[u32; 2]> = (0..SAMPLES).map(|k| [k % 256, k / 256]).collect();
     let anywhere: Vec<[u32; 2]> = (0..SAMPLES).map(|_| [random.bits_32() >> 20, random.bits_32() >> 20]).collect();
-    let mut rows = Vec::new();
-    let progress = Progress::new("speed", rounds * 2 * DIMENSIONS.len() * SPP.len() * names.len());
+    let mut timings = Vec::new();
     for (order, pixels) in [(Order::Rows, &by_rows), (Order::Random, &anywhere)] {
         for dimensions in DIMENSIONS {
-            for spp in SPP {
-                let timing = Timing { dimensions, spp, pixels };
-                let mut times = vec![Vec::new(); names.len()];
-                for _ in 0..rounds {
-                    for (name, times) in names.iter().zip(&mut times) {
-                        times.push(samplers::with(name, &timing));
-                        progress.add(1);
-                    }
-                }
-                rows.push(Setting { dimensions, spp, order, nanoseconds: times.into_iter().map(median).collect() });
-            }
+            timings.extend(SPP.map(|spp| (order, Timing { dimensions, spp, pixels })));
         }
     }
+    let mut times = vec![vec![Vec::new(); names.len()]; timings.len()];
+    let progress = Progress::new("speed", rounds);
+    for _ in 0..rounds {
+        for ((_, timing), times) in timings.iter().zip(&mut times) {
+            for (name, times) in names.iter().zip(times) {
+                times.push(samplers::with(name, timing));
+            }
+        }
+        progress.add(1);
+    }
+    let setting = |((order, Timing { dimensions, spp, .. }), times): ((Order, Timing), Vec<Vec<f64>>)| Setting {
+        dimensions,
+        spp,
+        order,
+        nanoseconds: times.into_iter().map(median).collect(),
+    };
+    let rows = timings.into_iter().zip(times).map(setting).collect();
     Speeds { names: names.to_vec(), rows }
 }
 
