@@ -45,6 +45,10 @@ pub enum Part {
     Odd,
     /// Nanoseconds a number
     Speed,
+    /// Integrands of 4 and 8 dimensions, over domains
+    Domains,
+    /// Edges that move over the screen
+    Edges,
 }
 
 impl Arguments {

@@ -1,11 +1,11 @@
 //! What is measured, in the order of the page.
 
 use crate::arguments::{Arguments, Part};
-use crate::charts;
+use crate::bench::Bench;
 use crate::error_part::{self, Errors};
-use crate::measure::Bench;
 use crate::page::Chapter;
 use crate::speed;
+use crate::{charts, domains, edges};
 
 /// The page's chapters, and files of numbers beside their tables.
 #[derive(Debug)]
@@ -43,6 +43,22 @@ pub fn measure(arguments: &Arguments) -> Report {
             title: "Not powers of two".into(),
             text: "The sampler is told the count.".into(),
             tables: error(&counts).brief("odd", "W, sigma 1"),
+            ..Chapter::default()
+        });
+    }
+    if arguments.has(Part::Domains) {
+        report.chapters.push(Chapter {
+            title: "Many dimensions".into(),
+            text: "One integrand takes the numbers of several pairs and domains. 1: they decorrelate.".into(),
+            tables: domains::tables(&names, arguments.seed, arguments.seeds().div_ceil(4)),
+            ..Chapter::default()
+        });
+    }
+    if arguments.has(Part::Edges) {
+        report.chapters.push(Chapter {
+            title: "Moving edges".into(),
+            text: "Dithering lives on neighbours that integrate nearly the same: how much of that is needed?".into(),
+            tables: vec![edges::table(&bench, &names, arguments.seed, arguments.seeds().div_ceil(4))],
             ..Chapter::default()
         });
     }

@@ -2,11 +2,11 @@
 
 use crate::analysis::integrands::{evaluation_half_plane_2d, evaluation_smooth_2d};
 use crate::analysis::random::Random;
+use crate::bench::{Bench, Setting};
 use crate::family::{ALL, FIXED, Family, Integrands, SMOOTH};
 use crate::field::{PIXELS, SIZE};
 use crate::figures::figures;
 use crate::filter::{FILTERS, Filter};
-use crate::measure::{Bench, Setting};
 use crate::power::Analyser;
 use crate::samplers::WHITE;
 

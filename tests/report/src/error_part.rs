@@ -1,10 +1,10 @@
 //! Error at powers of two: W, G, root mean squares and spikes of every sampler.
 
+use crate::bench::{Bench, Measured, Setting};
 use crate::family::Family;
 use crate::figures::{Figures, Value, figures, spikes};
 use crate::filter::FILTERS;
 use crate::frozen;
-use crate::measure::{Bench, Measured, Setting};
 use crate::progress::Progress;
 use crate::samplers::WHITE;
 use crate::table::Table;

@@ -1,8 +1,8 @@
 //! From mean squares to figures: W, G, root-mean-square errors and spikes, with their standard errors.
 
+use crate::bench::Measured;
 use crate::family::{ALL, Family, LINES};
 use crate::filter::FILTERS;
-use crate::measure::Measured;
 use crate::power::Squares;
 
 /// A mean and its standard error over the seeds.

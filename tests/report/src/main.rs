@@ -10,17 +10,19 @@
 #[path = "../../analysis/mod.rs"]
 mod analysis;
 mod arguments;
+mod bench;
 mod chapters;
 mod charts;
 #[cfg(test)]
 mod checks;
+mod domains;
+mod edges;
 mod error_part;
 mod family;
 mod field;
 mod figures;
 mod filter;
 mod frozen;
-mod measure;
 mod page;
 mod peers;
 mod plot;
@@ -31,6 +33,8 @@ mod samplers;
 mod shape;
 mod speed;
 mod table;
+#[cfg(test)]
+mod unbiased;
 
 use arguments::Arguments;
 use clap::Parser;
