@@ -49,6 +49,8 @@ pub enum Part {
     Domains,
     /// Edges that move over the screen
     Edges,
+    /// The render example's scene, by what is sampled, and after a denoiser
+    Scene,
 }
 
 impl Arguments {
@@ -71,6 +73,11 @@ impl Arguments {
     /// Samples per pixel of the error figures.
     pub fn counts(&self) -> &'static [u32] {
         if self.quick { &COUNTS[..5] } else { &COUNTS }
+    }
+
+    /// Samples per pixel of the scene's reference.
+    pub fn reference_spp(&self) -> u32 {
+        if self.quick { 128 } else { 1024 }
     }
 
     /// Rounds of every timing.

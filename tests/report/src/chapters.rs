@@ -5,7 +5,7 @@ use crate::bench::Bench;
 use crate::error_part::{self, Errors};
 use crate::page::Chapter;
 use crate::speed;
-use crate::{charts, domains, edges};
+use crate::{charts, domains, edges, scene_part};
 
 /// The page's chapters, and files of numbers beside their tables.
 #[derive(Debug)]
@@ -61,6 +61,9 @@ pub fn measure(arguments: &Arguments) -> Report {
             tables: vec![edges::table(&bench, &names, arguments.seed, arguments.seeds().div_ceil(4))],
             ..Chapter::default()
         });
+    }
+    if arguments.has(Part::Scene) {
+        report.chapters.push(scene_part::chapter(&names, arguments.seed, arguments.reference_spp()));
     }
     if let Some(speeds) = speeds {
         report.chapters.push(Chapter {

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The definitions are those of `tests/analysis`; samplers are listed in `samplers.rs`, one line each.
-#![allow(clippy::print_stdout, reason = "a program that prints tables")]
+#![allow(missing_debug_implementations, reason = "a program: its parts are read where they stand")]
 
 #[path = "../../analysis/mod.rs"]
 mod analysis;
@@ -15,22 +15,38 @@ mod chapters;
 mod charts;
 #[cfg(test)]
 mod checks;
+mod denoise;
 mod domains;
 mod edges;
 mod error_part;
 mod family;
 mod field;
 mod figures;
+#[path = "../../../examples/render/film.rs"]
+#[allow(dead_code, reason = "the example uses the rest")]
+mod film;
 mod filter;
 mod frozen;
+#[path = "../../../examples/render/measure.rs"]
+#[allow(dead_code, reason = "the example uses the rest")]
+mod measure;
 mod page;
 mod peers;
 mod plot;
 mod power;
 #[path = "../../../examples/render/progress.rs"]
 mod progress;
+#[path = "../../../examples/render/reference.rs"]
+#[allow(dead_code, reason = "the example uses the rest")]
+mod reference;
 mod samplers;
+#[path = "../../../examples/render/scene.rs"]
+mod scene;
+mod scene_part;
 mod shape;
+#[path = "../../../examples/render/shapes.rs"]
+#[allow(missing_debug_implementations, reason = "a program's")]
+mod shapes;
 mod speed;
 mod table;
 #[cfg(test)]

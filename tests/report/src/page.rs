@@ -23,7 +23,7 @@ figcaption{font-size:.85rem;line-height:1.7}figcaption span{margin-right:.9em;wh
 .t{overflow-x:auto}table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums}
 th,td{padding:.15rem .6rem;text-align:right;white-space:nowrap;border-bottom:1px solid var(--faint)}
 th:first-child,td:first-child{text-align:left;position:sticky;left:0;background:var(--paper)}
-summary{cursor:pointer;margin:.4rem 0}img{image-rendering:pixelated;max-width:100%}h2{margin-top:2.5rem}nav a{margin-right:1em}";
+summary{cursor:pointer;margin:.4rem 0}img{image-rendering:pixelated;max-width:100%}h2{margin-top:2.5rem}.p{display:inline-block;margin:.3rem}.p img{height:auto}nav a{margin-right:1em}";
 
 pub fn page(title: &str, about: &str, chapters: &[Chapter]) -> String {
     let links: String =

@@ -50,8 +50,7 @@ fn the_mean_over_seeds_is_exact() {
     for name in samplers::NAMES.iter().filter(|name| **name != "heitz-2019") {
         for (at, count) in [([0, 0], 1), ([37, 101], 1), ([0, 0], 4), ([37, 101], 4), ([37, 101], 3)] {
             let found = worst(name, &integrands, at, count);
-            // 102 integrands, many alike: chance reaches 3 in most cases, 4.5 in one of a thousand.
-            assert!(found < 4.5, "{name} at {at:?}, {count} samples: {found} standard errors");
+            assert!(found < 4.0, "{name} at {at:?}, {count} samples: {found} standard errors");
             worst_of_all = worst_of_all.max(found);
             cases += 1;
         }
