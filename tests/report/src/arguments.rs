@@ -43,8 +43,14 @@ pub enum Part {
     Prefixes,
     /// Error at sample counts that are no powers of two
     Odd,
+    /// The mean over frames
+    Frames,
+    /// Integrands of the literature, one by one
+    Classic,
     /// Nanoseconds a number
     Speed,
+    /// Bytes of tables
+    Size,
     /// Integrands of 4 and 8 dimensions, over domains
     Domains,
     /// Edges that move over the screen
@@ -73,11 +79,6 @@ impl Arguments {
     /// Samples per pixel of the error figures.
     pub fn counts(&self) -> &'static [u32] {
         if self.quick { &COUNTS[..5] } else { &COUNTS }
-    }
-
-    /// Samples per pixel of the scene's reference.
-    pub fn reference_spp(&self) -> u32 {
-        if self.quick { 128 } else { 1024 }
     }
 
     /// Rounds of every timing.

@@ -7,18 +7,17 @@ use crate::samplers;
 use crate::shape::{Sampler, Task};
 use rayon::prelude::*;
 
-/// What is measured: a sampler told `spp`, `count` of its samples taken, over seeds.
+/// What is measured: the images of some seeds, from that of `first` on.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting {
-    pub spp: u32,
-    pub count: u32,
-    pub first_seed: u32,
+    pub first: Drawn,
     pub seeds: u32,
 }
 
 /// What was found.
 #[derive(Clone, Debug)]
 pub struct Measured {
+    /// Samples taken, over all frames.
     pub count: u32,
     /// Of each seed, each integrand.
     pub squares: Vec<[Squares; ALL]>,
@@ -73,9 +72,9 @@ impl Task for Error<'_> {
     type Output = Measured;
 
     fn run(&self, sampler: &impl Sampler) -> Measured {
-        let Self { bench, setting: Setting { spp, count, first_seed, seeds } } = *self;
+        let Self { bench, setting: Setting { first, seeds } } = *self;
         let one = |mut sums: Sums, seed: u32| {
-            let drawn = Drawn { seed: first_seed.wrapping_add(seed), spp, count };
+            let drawn = Drawn { seed: first.seed.wrapping_add(seed), ..first };
             let images = error_images(sampler, drawn, &bench.integrands);
             let mut squares = Vec::with_capacity(ALL);
             let mut scratch = bench.analyser.scratch();
@@ -99,7 +98,7 @@ impl Task for Error<'_> {
         let sums = (0..seeds).into_par_iter().fold(Sums::new, one).reduce(Sums::new, Sums::and);
         let lines: Vec<&[f32]> = sums.power[PIXELS..].chunks_exact(PIXELS).collect();
         Measured {
-            count,
+            count: first.count * first.frames,
             squares: sums.squares,
             spikes: core::array::from_fn(|line| spike(lines[line])),
             radial: [radial(&sums.power[..PIXELS]), radial(&sum(&lines))],

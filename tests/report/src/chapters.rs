@@ -3,9 +3,12 @@
 use crate::arguments::{Arguments, Part};
 use crate::bench::Bench;
 use crate::error_part::{self, Errors};
+use crate::field::Drawn;
 use crate::page::Chapter;
+use crate::samplers;
 use crate::speed;
-use crate::{charts, domains, edges, scene_part};
+use crate::table::Table;
+use crate::{charts, classic, domains, edges, scene_part};
 
 /// The page's chapters, and files of numbers beside their tables.
 #[derive(Debug)]
@@ -19,17 +22,18 @@ pub fn measure(arguments: &Arguments) -> Report {
     let names = arguments.samplers();
     let bench = Bench::new();
     let mut report = Report { chapters: Vec::new(), csv: Vec::new() };
-    let error = |counts: &[(u32, u32)]| error_part::measure(&bench, &names, counts, arguments.seed, arguments.seeds());
+    let seed = arguments.seed;
+    let error = |all: &[Drawn]| error_part::measure(&bench, &names, all, arguments.seeds());
+    let all_of = |count| Drawn { seed, spp: count, count, frames: 1 };
 
     let speeds = arguments.has(Part::Speed).then(|| speed::measure(&names, arguments.rounds()));
     if arguments.has(Part::Error) {
-        let counts: Vec<(u32, u32)> = arguments.counts().iter().map(|&count| (count, count)).collect();
-        let errors = error(&counts);
+        let errors = error(&arguments.counts().iter().copied().map(all_of).collect::<Vec<_>>());
         report.csv.push(("error.csv", errors.csv()));
         report.chapters.extend(error_chapters(&errors, speeds.as_ref()));
     }
     if arguments.has(Part::Prefixes) {
-        let taken = [1, 2, 4, 8, 12].map(|count| (16, count));
+        let taken = [1, 2, 4, 8, 12].map(|count| Drawn { count, ..all_of(16) });
         report.chapters.push(Chapter {
             title: "Prefixes".into(),
             text: "Fewer samples taken than the sampler was told.".into(),
@@ -38,11 +42,29 @@ pub fn measure(arguments: &Arguments) -> Report {
         });
     }
     if arguments.has(Part::Odd) {
-        let counts = [3, 12, 48].map(|count| (count, count));
         report.chapters.push(Chapter {
             title: "Not powers of two".into(),
             text: "The sampler is told the count.".into(),
-            tables: error(&counts).brief("odd", "W, sigma 1"),
+            tables: error(&[3, 12, 48].map(all_of)).brief("odd", "W, sigma 1"),
+            ..Chapter::default()
+        });
+    }
+    if arguments.has(Part::Frames) {
+        let frames = [1, 2, 4, 16].map(|frames| Drawn { frames, ..all_of(1) });
+        report.chapters.push(Chapter {
+            title: "Animation".into(),
+            text: "One sample a pixel and frame, the mean of so many frames, over that of white noise, which starts anew in \
+                   every frame."
+                .into(),
+            tables: error(&frames).brief("frames", "W, sigma 1, mean of frames"),
+            ..Chapter::default()
+        });
+    }
+    if arguments.has(Part::Classic) {
+        report.chapters.push(Chapter {
+            title: "Classic integrands".into(),
+            text: "Of the literature, one by one.".into(),
+            tables: classic::tables(&bench, &names, seed, arguments.seeds().div_ceil(4)),
             ..Chapter::default()
         });
     }
@@ -50,7 +72,7 @@ pub fn measure(arguments: &Arguments) -> Report {
         report.chapters.push(Chapter {
             title: "Many dimensions".into(),
             text: "One integrand takes the numbers of several pairs and domains. 1: they decorrelate.".into(),
-            tables: domains::tables(&names, arguments.seed, arguments.seeds().div_ceil(4)),
+            tables: domains::tables(&names, seed, arguments.seeds().div_ceil(4)),
             ..Chapter::default()
         });
     }
@@ -58,12 +80,15 @@ pub fn measure(arguments: &Arguments) -> Report {
         report.chapters.push(Chapter {
             title: "Moving edges".into(),
             text: "Dithering lives on neighbours that integrate nearly the same: how much of that is needed?".into(),
-            tables: vec![edges::table(&bench, &names, arguments.seed, arguments.seeds().div_ceil(4))],
+            tables: vec![edges::table(&bench, &names, seed, arguments.seeds().div_ceil(4))],
             ..Chapter::default()
         });
     }
     if arguments.has(Part::Scene) {
-        report.chapters.push(scene_part::chapter(&names, arguments.seed, arguments.reference_spp()));
+        report.chapters.push(scene_part::chapter(&names, seed, arguments.quick));
+    }
+    if arguments.has(Part::Size) {
+        report.chapters.push(Chapter { title: "Size".into(), tables: vec![size(&names)], ..Chapter::default() });
     }
     if let Some(speeds) = speeds {
         report.chapters.push(Chapter {
@@ -106,4 +131,16 @@ fn error_chapters(errors: &Errors, speeds: Option<&speed::Speeds>) -> Vec<Chapte
         ..Chapter::default()
     };
     vec![error, filters, spectra]
+}
+
+/// What each sampler links.
+fn size(names: &[&'static str]) -> Table {
+    let bytes = samplers::NAMES.iter().zip(samplers::BYTES).filter(|(name, _)| names.contains(name));
+    Table {
+        id: "size".into(),
+        title: "Bytes of tables".into(),
+        about: "Linked with the sampler, without code; the peers' as packed as they can be.".into(),
+        head: ["sampler", "bytes"].map(String::from).to_vec(),
+        rows: bytes.map(|(name, bytes)| vec![(*name).to_string(), bytes.to_string()]).collect(),
+    }
 }

@@ -4,7 +4,7 @@ use crate::analysis::integrands::{evaluation_half_plane_2d, evaluation_smooth_2d
 use crate::analysis::random::Random;
 use crate::bench::{Bench, Setting};
 use crate::family::{ALL, FIXED, Family, Integrands, SMOOTH};
-use crate::field::{PIXELS, SIZE};
+use crate::field::{Drawn, PIXELS, SIZE};
 use crate::figures::figures;
 use crate::filter::{FILTERS, Filter};
 use crate::power::Analyser;
@@ -99,8 +99,9 @@ fn filters_are_those_of_the_analysis() {
 fn white_against_white_is_one() {
     let bench = Bench::new();
     for count in [1, 4] {
-        let [one, other] =
-            [100, 200].map(|first_seed| bench.measure(WHITE, Setting { spp: count, count, first_seed, seeds: 8 }));
+        let [one, other] = [100, 200]
+            .map(|seed| Drawn { seed, spp: count, count, frames: 1 })
+            .map(|first| bench.measure(WHITE, Setting { first, seeds: 8 }));
         for family in Family::BOTH {
             let found = figures(&one, &other, family);
             for (f, w) in found.w.into_iter().enumerate() {

@@ -2,6 +2,7 @@
 
 use crate::bench::{Bench, Measured, Setting};
 use crate::family::Family;
+use crate::field::Drawn;
 use crate::figures::{Figures, Value, figures, spikes};
 use crate::filter::FILTERS;
 use crate::frozen;
@@ -28,31 +29,27 @@ pub struct Errors {
     pub entries: Vec<Entry>,
 }
 
-/// Measures all. `counts` are pairs of what the sampler is told and how many samples are taken.
-pub fn measure(bench: &Bench, names: &[&'static str], counts: &[(u32, u32)], seed: u32, seeds: u32) -> Errors {
-    let total: u32 = counts.iter().map(|(_, count)| 8 + count).sum();
-    let progress = Progress::new("error", total as usize * names.len());
+/// Measures all: each sampler, each of `all`, over so many seeds from the one there on.
+pub fn measure(bench: &Bench, names: &[&'static str], all: &[Drawn], seeds: u32) -> Errors {
+    // Transforms take the time of some samples.
+    let cost = |drawn: &Drawn| 8 + (drawn.count * drawn.frames) as usize;
+    let others = names.iter().filter(|name| **name != WHITE);
+    let progress = Progress::new("error", all.iter().map(cost).sum::<usize>() * (1 + others.count()));
+    let measure = |name: &str, first: &Drawn| {
+        let found = bench.measure(name, Setting { first: *first, seeds });
+        progress.add(cost(first));
+        found
+    };
+    let white: Vec<Measured> = all.iter().map(|first| measure(WHITE, first)).collect();
     let mut entries = Vec::new();
-    let mut white = Vec::new();
-    for &(spp, count) in counts {
-        let found = bench.measure(WHITE, Setting { spp, count, first_seed: seed, seeds });
-        progress.add(8 + count as usize);
-        white.push(found);
-    }
     for &name in names {
-        for (&(spp, count), white) in counts.iter().zip(&white) {
-            let measured = if name == WHITE {
-                white.clone()
-            } else {
-                let found = bench.measure(name, Setting { spp, count, first_seed: seed, seeds });
-                progress.add(8 + count as usize);
-                found
-            };
+        for (first, white) in all.iter().zip(&white) {
+            let measured = if name == WHITE { white.clone() } else { measure(name, first) };
             let figures = Family::BOTH.map(|family| figures(&measured, white, family));
             entries.push(Entry { name, measured, figures });
         }
     }
-    Errors { counts: counts.iter().map(|(_, count)| *count).collect(), entries }
+    Errors { counts: white.iter().map(|found| found.count).collect(), entries }
 }
 
 impl Errors {

@@ -16,6 +16,8 @@ pub struct Drawn {
     pub spp: u32,
     /// How many samples are taken; fewer than `spp` make a prefix.
     pub count: u32,
+    /// How many frames are averaged.
+    pub frames: u32,
 }
 
 /// One image an integrand, one after the other, each row by row.
@@ -28,12 +30,14 @@ pub fn error_images<S: Sampler>(sampler: &S, drawn: Drawn, integrands: &Integran
     for start in (0..PIXELS).step_by(RUN) {
         for (k, errors) in errors.iter_mut().enumerate() {
             let (x, y) = ((start + k) % SIZE, (start + k) / SIZE);
-            let pixel = sampler.pixel(&made, x as u32, y as u32, 0);
             let mut sums = [0.0; ALL];
-            for index in 0..drawn.count {
-                integrands.add(sampler.draw_2(pixel, 0, index), &mut sums);
+            for frame in 0..drawn.frames {
+                let pixel = sampler.pixel(&made, x as u32, y as u32, frame);
+                for index in 0..drawn.count {
+                    integrands.add(sampler.draw_2(pixel, 0, index), &mut sums);
+                }
             }
-            *errors = integrands.errors(&sums, drawn.count);
+            *errors = integrands.errors(&sums, drawn.count * drawn.frames);
         }
         for (integrand, image) in images.chunks_exact_mut(PIXELS).enumerate() {
             for (out, errors) in image[start..start + RUN].iter_mut().zip(&errors) {

@@ -15,6 +15,7 @@ mod chapters;
 mod charts;
 #[cfg(test)]
 mod checks;
+mod classic;
 mod denoise;
 mod domains;
 mod edges;

@@ -2,15 +2,18 @@
 
 use crate::peers::{Cycles, Heitz, Pbrt, Pcg, RandomPattern, SobolBurley};
 use crate::shape::{Task, shape};
-use bluedither::{Constant, Dithered, White};
+use bluedither::{Constant, Dithered, White, tables};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
 
 macro_rules! samplers {
-    (|$seed:ident, $spp:ident| $($name:literal => $sampler:expr,)*) => {
+    (|$seed:ident, $spp:ident| $($name:literal => $sampler:expr $(; $bytes:expr)?,)*) => {
         /// All names, in the order of the tables.
         pub const NAMES: &[&str] = &[$($name),*];
+
+        /// Bytes of the tables that each of them links.
+        pub const BYTES: &[usize] = &[$(0 $(+ $bytes)?),*];
 
         /// Does a task with the sampler of that name.
         pub fn with<T: Task>(name: &str, task: &T) -> T::Output {
@@ -28,17 +31,24 @@ macro_rules! samplers {
     };
 }
 
-// Any expression whose value has `pixel(x, y, frame)` and its `draw::<D>(domain, index)`.
+/// Bytes of the two default masks.
+const MASKS: usize = size_of_val(&tables::THRESHOLD_64) + OFFSETS;
+const OFFSETS: usize = size_of_val(&tables::OFFSET_2D_64);
+/// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
+const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
+
+// Any expression whose value has `pixel(x, y, frame)` and its `draw::<D>(domain, index)`; then the bytes of its tables,
+// if it has any.
 samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),
     "constant" => Constant::with_spp(seed, spp),
-    "dithered" => Dithered::with_spp(seed, spp),
-    "dithered-progressive" => Dithered::new(seed),
-    "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp),
-    "dithered-random" => RandomPattern::new(seed),
+    "dithered" => Dithered::with_spp(seed, spp); MASKS,
+    "dithered-progressive" => Dithered::new(seed); MASKS,
+    "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp); MASKS,
+    "dithered-random" => RandomPattern::new(seed); OFFSETS,
     "pcg" => Pcg::new(seed),
-    "sobol_burley" => SobolBurley::new(seed),
-    "heitz-2019" => Heitz::with_spp(seed, spp),
+    "sobol_burley" => SobolBurley::new(seed); 256 * 16 * 4,
+    "heitz-2019" => Heitz::with_spp(seed, spp); RELEASE,
     "cycles-z" => Cycles::with_spp(seed, spp),
     "pbrt-z" => Pbrt::with_spp(seed, spp),
 }

@@ -64,7 +64,9 @@ const SETS: [(&str, [bool; 3]); 4] = [
 ];
 
 /// The chapter: a table a kind of filter, a row a sampler; the pictures.
-pub fn chapter(names: &[&'static str], seed: u32, reference_spp: u32) -> Chapter {
+pub fn chapter(names: &[&'static str], seed: u32, quick: bool) -> Chapter {
+    let (sets, counts, seeds, reference_spp) =
+        if quick { (&SETS[3..], &COUNTS[..2], 1, 128) } else { (&SETS[..], &COUNTS[..], 4, 1024) };
     let scene = Scene::new(SIZE[0], SIZE[1]);
     let none = Dimensions { time: false, lens: false, light: false };
     let centre = Sample { time: 0.5, lens: [0.5; 2], light: [0.5; 2] };
@@ -72,21 +74,27 @@ pub fn chapter(names: &[&'static str], seed: u32, reference_spp: u32) -> Chapter
     // Of each set and count: a sampler's sizes over those of white noise.
     let mut columns: Vec<(String, Vec<[f32; 4]>)> = Vec::new();
     let mut figures = Vec::new();
-    for (label, [time, lens, light]) in SETS {
+    for &(label, [time, lens, light]) in sets {
         let dimensions = Dimensions { time, lens, light };
         let reference = Reference::render(&scene, SIZE, dimensions, reference_spp, seed);
-        let progress = Progress::new("rendering the scene", COUNTS.len() * names.len());
-        for spp in COUNTS {
-            let job = Render { scene: &scene, dimensions, spp, seed };
-            let white = sizes(&samplers::with(WHITE, &job).minus(&reference.image), &guide);
+        let progress = Progress::new("rendering the scene", counts.len() * names.len());
+        for &spp in counts {
+            let render = |name: &str, k: u32| {
+                samplers::with(name, &Render { scene: &scene, dimensions, spp, seed: seed.wrapping_add(k) })
+            };
+            // Mean squares over the seeds.
+            let measure = |name: &str| {
+                let runs = (0..seeds).map(|k| sizes(&render(name, k).minus(&reference.image), &guide));
+                runs.fold([0.0; 4], |sum: [f32; 4], run| core::array::from_fn(|k| sum[k] + run[k] * run[k]))
+            };
+            let white = measure(WHITE);
             let mut column = Vec::new();
             for name in names {
-                let image = samplers::with(name, &job);
-                let found = sizes(&image.minus(&reference.image), &guide);
+                let found = measure(name);
+                column.push(core::array::from_fn(|k| (found[k] / white[k]).sqrt()));
                 if spp == SHOWN && time && lens && light {
-                    figures.push(picture(name, &image));
+                    figures.push(picture(name, &render(name, 0)));
                 }
-                column.push(core::array::from_fn(|k| found[k] / white[k]));
                 progress.add(1);
             }
             columns.push((format!("{label}, {spp}"), column));
@@ -116,7 +124,7 @@ pub fn chapter(names: &[&'static str], seed: u32, reference_spp: u32) -> Chapter
     Chapter {
         title: "A scene".into(),
         text: format!(
-            "The render example's moving sphere, lens and rectangular light, {}×{} pixels. One seed: figures vary by some \
+            "The render example's moving sphere, lens and rectangular light, {}×{} pixels, {seeds} seeds: figures vary by some \
              percent. Pictures at {SHOWN} samples per pixel:",
             SIZE[0], SIZE[1]
         ),

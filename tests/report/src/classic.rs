@@ -1,0 +1,111 @@
+//! The integrands of the literature, one by one: discs, a triangle, bumps, a singular one, and of one dimension.
+
+use crate::bench::Bench;
+use crate::error_part::short;
+use crate::field::{PIXELS, SIZE};
+use crate::progress::Progress;
+use crate::samplers::{self, WHITE};
+use crate::shape::{Sampler, Task};
+use crate::table::Table;
+use core::f64::consts::{FRAC_2_PI, PI};
+use rayon::prelude::*;
+
+const COUNTS: [u32; 3] = [1, 4, 16];
+
+/// Name, exact value, function. An even number of them.
+type Function = (&'static str, f64, fn(f64, f64) -> f64);
+const FUNCTIONS: [Function; 12] = [
+    ("quarter disc", 0.5, |x, y| step(x * x + y * y < FRAC_2_PI)),
+    ("disc", 0.5, |x, y| step((x - 0.5).powi(2) + (y - 0.5).powi(2) < 0.25 * FRAC_2_PI)),
+    ("triangle", 0.5, |x, y| step(x + y < 1.0)),
+    ("exp(-x²-y²)", 0.557_746_285_351_03, |x, y| (-x * x - y * y).exp()),
+    ("centred bump", 0.851_120_663_492_2, |x, y| (-(x - 0.5).powi(2) - (y - 0.5).powi(2)).exp()),
+    ("xy", 0.25, |x, y| x * y),
+    ("x²y²", 1.0 / 9.0, |x, y| x * x * y * y),
+    ("sin π(x+y)", 0.0, |x, y| (PI * (x + y)).sin()),
+    // Oscillates without end at the corner; by 2²⁴ Sobol points.
+    ("sin π/r", -0.220_242, |x, y| (PI / x.hypot(y).max(1e-9)).sin()),
+    ("step at 1/π", 1.0 / PI, |x, _| step(x < 1.0 / PI)),
+    ("exp(-x²)", 0.746_824_132_812_427, |x, _| (-x * x).exp()),
+    ("sin 2πx", 0.0, |x, _| (2.0 * PI * x).sin()),
+];
+
+fn step(lit: bool) -> f64 {
+    f64::from(u8::from(lit))
+}
+
+struct Images {
+    count: u32,
+    seed: u32,
+}
+
+impl Task for Images {
+    /// An error image a function.
+    type Output = Vec<Vec<f32>>;
+
+    fn run(&self, sampler: &impl Sampler) -> Self::Output {
+        let made = sampler.make(self.seed, self.count);
+        let mut images = vec![vec![0.0; PIXELS]; FUNCTIONS.len()];
+        for p in 0..PIXELS {
+            let pixel = sampler.pixel(&made, (p % SIZE) as u32, (p / SIZE) as u32, 0);
+            let mut sums = [0.0; FUNCTIONS.len()];
+            for index in 0..self.count {
+                let [x, y] = sampler.draw_2(pixel, 0, index).map(f64::from);
+                sums.iter_mut().zip(FUNCTIONS).for_each(|(sum, (_, _, f))| *sum += f(x, y));
+            }
+            for ((image, sum), (_, exact, _)) in images.iter_mut().zip(sums).zip(FUNCTIONS) {
+                image[p] = (sum / f64::from(self.count) - exact) as f32;
+            }
+        }
+        images
+    }
+}
+
+/// W at sigma 1 of each function, a table a sample count.
+pub fn tables(bench: &Bench, names: &[&'static str], seed: u32, seeds: u32) -> Vec<Table> {
+    let progress = Progress::new("classic integrands", COUNTS.len() * (1 + names.len()));
+    let measure = |name: &str, count: u32| {
+        let one = |k: u32| {
+            let images = samplers::with(name, &Images { count, seed: seed.wrapping_add(k) });
+            let mut scratch = bench.analyser.scratch();
+            let pair = |pair: &[Vec<f32>]| bench.analyser.pair([&pair[0], &pair[1]], &mut scratch, |_, _| ());
+            images.chunks_exact(2).flat_map(pair).map(|squares| squares.filtered[0]).collect()
+        };
+        let runs: Vec<Vec<f64>> = (0..seeds).into_par_iter().map(one).collect();
+        progress.add(1);
+        (0..FUNCTIONS.len()).map(|f| runs.iter().map(|run| run[f]).sum::<f64>()).collect::<Vec<f64>>()
+    };
+    let table = |count: u32| {
+        let white = measure(WHITE, count);
+        let row = |name: &&'static str| {
+            let found = measure(name, count);
+            let cells = found.iter().zip(&white).map(|(found, white)| short((found / white).sqrt()));
+            core::iter::once((*name).to_string()).chain(cells).collect()
+        };
+        Table {
+            id: format!("classic-{count}"),
+            title: format!("W, sigma 1, {count} samples"),
+            about: "Filtered error over that of white noise.".into(),
+            head: core::iter::once("sampler".to_string()).chain(FUNCTIONS.map(|(name, ..)| name.to_string())).collect(),
+            rows: names.iter().map(row).collect(),
+        }
+    };
+    COUNTS.map(table).to_vec()
+}
+
+#[cfg(test)]
+mod checks {
+    /// Exact values against a million points of a Sobol sequence.
+    #[test]
+    fn exact_values_are_exact() {
+        const COUNT: u32 = 1 << 20;
+        for (name, exact, f) in super::FUNCTIONS {
+            let value = |index| {
+                let [x, y] = bluedither::sobol::point(index).map(bluedither::unit::to_f64);
+                f(x + 0.5 / f64::from(COUNT), y + 0.5 / f64::from(COUNT))
+            };
+            let mean = (0..COUNT).map(value).sum::<f64>() / f64::from(COUNT);
+            assert!((mean - exact).abs() < 3e-5, "{name}: {mean}, {exact}");
+        }
+    }
+}
