@@ -22,6 +22,10 @@ pub struct Arguments {
     #[arg(long)]
     pub quick: bool,
 
+    /// A file whose blocks between markers are filled anew; needs the parts "error" and "speed" of all samplers
+    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    pub readme: Option<PathBuf>,
+
     /// The first of the seeds
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
@@ -51,6 +55,8 @@ pub enum Part {
     Speed,
     /// Bytes of tables
     Size,
+    /// Spectra of the masks themselves
+    Masks,
     /// Integrands of 4 and 8 dimensions, over domains
     Domains,
     /// Edges that move over the screen
@@ -68,7 +74,8 @@ impl Arguments {
     }
 
     pub fn has(&self, part: Part) -> bool {
-        self.parts.is_empty() || self.parts.contains(&part)
+        let filled = self.readme.is_some() && [Part::Error, Part::Speed].contains(&part);
+        filled || self.parts.is_empty() || self.parts.contains(&part)
     }
 
     /// Seeds of every error figure.

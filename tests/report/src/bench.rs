@@ -125,10 +125,9 @@ fn radial(power: &[f32]) -> Vec<f64> {
     // Ring 0 stays empty; the last is the corner.
     let corner = fold(SIZE / 2).hypot(fold(SIZE / 2)).round() as usize;
     let mut rings = vec![(0.0f64, 0.0f64); corner + 1];
-    for k in 1..PIXELS {
-        let ring = fold(k % SIZE).hypot(fold(k / SIZE)).round() as usize;
-        rings[ring].0 += f64::from(power[k]);
-        rings[ring].1 += 1.0;
+    for (k, &power) in power.iter().enumerate().skip(1) {
+        let ring = &mut rings[fold(k % SIZE).hypot(fold(k / SIZE)).round() as usize];
+        *ring = (ring.0 + f64::from(power), ring.1 + 1.0);
     }
     rings.iter().map(|(sum, n)| sum / n.max(1.0) / mean).collect()
 }

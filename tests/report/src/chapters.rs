@@ -6,22 +6,25 @@ use crate::error_part::{self, Errors};
 use crate::field::Drawn;
 use crate::page::Chapter;
 use crate::samplers;
-use crate::speed;
+use crate::speed::{self, Speeds};
 use crate::table::Table;
-use crate::{charts, classic, domains, edges, scene_part};
+use crate::{charts, classic, domains, edges, masks_part, scene_part};
 
 /// The page's chapters, and files of numbers beside their tables.
 #[derive(Debug)]
 pub struct Report {
     pub chapters: Vec<Chapter>,
     pub csv: Vec<(&'static str, String)>,
+    /// For the README.
+    pub errors: Option<Errors>,
+    pub speeds: Option<Speeds>,
 }
 
 /// Runs every part that was asked for.
 pub fn measure(arguments: &Arguments) -> Report {
     let names = arguments.samplers();
     let bench = Bench::new();
-    let mut report = Report { chapters: Vec::new(), csv: Vec::new() };
+    let mut report = Report { chapters: Vec::new(), csv: Vec::new(), errors: None, speeds: None };
     let seed = arguments.seed;
     let error = |all: &[Drawn]| error_part::measure(&bench, &names, all, arguments.seeds());
     let all_of = |count| Drawn { seed, spp: count, count, frames: 1 };
@@ -31,9 +34,11 @@ pub fn measure(arguments: &Arguments) -> Report {
         let errors = error(&arguments.counts().iter().copied().map(all_of).collect::<Vec<_>>());
         report.csv.push(("error.csv", errors.csv()));
         report.chapters.extend(error_chapters(&errors, speeds.as_ref()));
+        report.errors = Some(errors);
     }
     if arguments.has(Part::Prefixes) {
-        let taken = [1, 2, 4, 8, 12].map(|count| Drawn { count, ..all_of(16) });
+        let taken: &[u32] = if arguments.quick { &[1, 4] } else { &[1, 2, 4, 8, 12] };
+        let taken: Vec<Drawn> = taken.iter().map(|&count| Drawn { count, ..all_of(16) }).collect();
         report.chapters.push(Chapter {
             title: "Prefixes".into(),
             text: "Fewer samples taken than the sampler was told.".into(),
@@ -45,12 +50,13 @@ pub fn measure(arguments: &Arguments) -> Report {
         report.chapters.push(Chapter {
             title: "Not powers of two".into(),
             text: "The sampler is told the count.".into(),
-            tables: error(&[3, 12, 48].map(all_of)).brief("odd", "W, sigma 1"),
+            tables: error(&[3, 12, 48].map(all_of)[..if arguments.quick { 2 } else { 3 }]).brief("odd", "W, sigma 1"),
             ..Chapter::default()
         });
     }
     if arguments.has(Part::Frames) {
-        let frames = [1, 2, 4, 16].map(|frames| Drawn { frames, ..all_of(1) });
+        let frames: &[u32] = if arguments.quick { &[1, 4] } else { &[1, 2, 4, 16] };
+        let frames: Vec<Drawn> = frames.iter().map(|&frames| Drawn { frames, ..all_of(1) }).collect();
         report.chapters.push(Chapter {
             title: "Animation".into(),
             text: "One sample a pixel and frame, the mean of so many frames, over that of white noise, which starts anew in \
@@ -87,6 +93,9 @@ pub fn measure(arguments: &Arguments) -> Report {
     if arguments.has(Part::Scene) {
         report.chapters.push(scene_part::chapter(&names, seed, arguments.quick));
     }
+    if arguments.has(Part::Masks) {
+        report.chapters.push(masks_part::chapter());
+    }
     if arguments.has(Part::Size) {
         report.chapters.push(Chapter { title: "Size".into(), tables: vec![size(&names)], ..Chapter::default() });
     }
@@ -97,11 +106,12 @@ pub fn measure(arguments: &Arguments) -> Report {
             tables: speeds.tables(),
             ..Chapter::default()
         });
+        report.speeds = Some(speeds);
     }
     report
 }
 
-fn error_chapters(errors: &Errors, speeds: Option<&speed::Speeds>) -> Vec<Chapter> {
+fn error_chapters(errors: &Errors, speeds: Option<&Speeds>) -> Vec<Chapter> {
     let mut figures = speeds.map(|speeds| charts::error_against_time(errors, speeds)).unwrap_or_default();
     figures.extend(charts::error_against_samples(errors));
     let error = Chapter {

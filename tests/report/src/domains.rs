@@ -67,7 +67,7 @@ fn volume<const D: usize>(a: &[f64; D], t: f64) -> f64 {
     let t = t - a.iter().map(|a| a.min(0.0)).sum::<f64>();
     let corner = |set: u32| {
         let reach: f64 = (0..D).filter(|k| set >> k & 1 == 1).map(|k| a[k].abs()).sum();
-        let sign = if set.count_ones() % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if set.count_ones().is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * (t - reach).max(0.0).powi(D as i32)
     };
     let factorial: f64 = (1..=D).map(|k| k as f64).product();

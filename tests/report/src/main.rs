@@ -28,6 +28,7 @@ mod figures;
 mod film;
 mod filter;
 mod frozen;
+mod masks_part;
 #[path = "../../../examples/render/measure.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
 mod measure;
@@ -37,6 +38,7 @@ mod plot;
 mod power;
 #[path = "../../../examples/render/progress.rs"]
 mod progress;
+mod readme;
 #[path = "../../../examples/render/reference.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
 mod reference;
@@ -75,7 +77,10 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     let start = Instant::now();
     // Before the minutes of measuring, not after.
     std::fs::create_dir_all(&arguments.out).map_err(|error| cannot_write(&arguments.out, &error))?;
-    let chapters::Report { chapters, csv } = chapters::measure(arguments);
+    let chapters::Report { chapters, csv, errors, speeds } = chapters::measure(arguments);
+    if let (Some(path), Some(errors), Some(speeds)) = (&arguments.readme, &errors, &speeds) {
+        readme::update(path, readme::Figures { errors, speeds })?;
+    }
     let about = format!(
         "Every sampler on the same integrands in one process. {} seeds from {} on, {:.0} s{}.",
         arguments.seeds(),
@@ -83,7 +88,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
         start.elapsed().as_secs_f32(),
         if arguments.quick { ", quick: fewer seeds and sample counts" } else { "" },
     );
-    let markdown: String = chapters.iter().map(|chapter| markdown(chapter)).collect();
+    let markdown: String = chapters.iter().map(markdown).collect();
     print!("{markdown}");
     write(&arguments.out, "report.html", &page::page("bluedither: error, speed and size", &about, &chapters))?;
     write(&arguments.out, "report.md", &format!("# bluedither: error, speed and size\n\n{about}\n{markdown}"))?;

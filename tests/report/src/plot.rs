@@ -123,8 +123,9 @@ fn span(axis: &Axis, values: impl Iterator<Item = f64>) -> [f64; 2] {
         .chain(axis.ticks.iter().copied())
         .map(|v| scaled(axis, v))
         .fold([f64::INFINITY, f64::NEG_INFINITY], bounds);
-    if !(low < high) {
-        return [low.min(1e9) - 0.5, low.min(1e9) + 0.5];
+    // One value, or none: any span will do.
+    if low >= high {
+        return if low > high { [0.0, 1.0] } else { [low - 0.5, low + 0.5] };
     }
     let margin = 0.03 * (high - low);
     [if axis.logarithmic || low < 0.0 { low - margin } else { 0.0 }, high + margin]
