@@ -3,12 +3,16 @@
 use crate::analysis::integrands::{evaluation_half_plane_2d, evaluation_smooth_2d};
 use crate::analysis::random::Random;
 use crate::bench::{Bench, Setting};
+use crate::charts::front;
 use crate::family::{ALL, FIXED, Family, Integrands, SMOOTH};
 use crate::field::{Drawn, PIXELS, SIZE};
 use crate::figures::figures;
 use crate::filter::{FILTERS, Filter};
+use crate::page::{Chapter, page};
+use crate::plot::{Axis, Series, plot};
 use crate::power::Analyser;
 use crate::samplers::WHITE;
+use crate::table::Table;
 
 /// The fast integrands are the slow ones, in their order.
 #[test]
@@ -122,4 +126,37 @@ fn white_against_white_is_one() {
 fn families_are_even() {
     assert_eq!((SMOOTH % 2, ALL % 2), (0, 0));
     assert_eq!(Family::Smooth.range().len() + Family::HalfPlanes.range().len(), ALL);
+}
+
+/// The front keeps what no other point beats in both ways.
+#[test]
+fn the_front_is_a_falling_stair() {
+    let points = vec![[4.0, 1.0], [1.0, 5.0], [2.0, 6.0], [3.0, 2.0], [2.0, 3.0], [5.0, 1.0]];
+    let expected = [[1.0, 5.0], [2.0, 5.0], [2.0, 3.0], [3.0, 3.0], [3.0, 2.0], [4.0, 2.0], [4.0, 1.0]];
+    assert_eq!(front(points), expected);
+}
+
+/// A page needs nothing from elsewhere, runs nothing, and shows its numbers.
+#[test]
+fn the_page_stands_alone() {
+    let points = vec![[1.0, 0.5], [16.0, 0.05], [256.0, 0.004]];
+    let series = Series { name: "a & b".into(), hue: Some(10), dashed: false, dots: true, points };
+    let axis = |label: &str, logarithmic| Axis { label: label.into(), logarithmic, ticks: vec![] };
+    let figure = plot([&axis("x", true), &axis("y", true)], &[series]);
+    assert_eq!(figure.matches("<circle").count(), 3);
+    let table = Table {
+        id: "t".into(),
+        title: "T".into(),
+        about: "1 < 2".into(),
+        head: vec!["a".into(), "b".into()],
+        rows: vec![vec!["x, \"y\"".into(), ".25".into()]],
+    };
+    assert_eq!(table.csv(), "a,b\n\"x, \"\"y\"\"\",.25\n");
+    assert!(table.markdown().ends_with("| a | b |\n| --- | ---: |\n| x, \"y\" | .25 |\n"));
+    let chapter = Chapter { title: "C".into(), figures: vec![figure], tables: vec![table], ..Chapter::default() };
+    let page = page("P", "about", &[chapter]);
+    assert!(page.contains("<td>.25</td>") && page.contains("1 &lt; 2") && page.contains("prefers-color-scheme:dark"));
+    for foreign in ["http", "<script", "<link", "url(", "NaN", "inf"] {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
 }

@@ -53,6 +53,8 @@ mod checks {
         let kept = denoise(&guide, &guide);
         assert!(kept.minus(&guide).pixels.iter().all(|p| p.length() < 1e-5));
         let noise = Image::render(size, |x, y| Vec3A::splat(if (x + y) % 2 == 0 { 1.0 } else { -1.0 }));
-        assert!(denoise(&noise, &guide).pixels.iter().all(|p| p.length() < 0.05));
+        // Out of reach of borders and edge, which are 2 + 4 + 8 pixels away at least.
+        let smoothed = denoise(&noise, &guide);
+        assert!((20..44).all(|y| (14..18).all(|x| smoothed.pixels[y * 64 + x].length() < 1e-5)));
     }
 }

@@ -6,11 +6,16 @@ use crate::samplers;
 use crate::shape::{Sampler, Task};
 
 const SEEDS: u32 = 512;
+/// Standard errors that the mean may be off. Chance alone goes beyond in one case of a hundred, since an integrand of a
+/// hundred does; who does is judged again, by more seeds.
+const BOUND: f64 = 4.0;
+const AGAIN: u32 = 16 * SEEDS;
 
 struct OnePixel<'a> {
     integrands: &'a Integrands,
     at: [u32; 2],
     count: u32,
+    seeds: core::ops::Range<u32>,
 }
 
 impl Task for OnePixel<'_> {
@@ -19,7 +24,7 @@ impl Task for OnePixel<'_> {
 
     fn run(&self, sampler: &impl Sampler) -> Self::Output {
         let mut errors = vec![Vec::new(); ALL];
-        for seed in 0..SEEDS {
+        for seed in self.seeds.clone() {
             let pixel = sampler.pixel(&sampler.make(seed, self.count), self.at[0], self.at[1], 0);
             let mut sums = [0.0; ALL];
             for index in 0..self.count {
@@ -33,11 +38,12 @@ impl Task for OnePixel<'_> {
 }
 
 /// The largest deviation from the exact value in standard errors.
-fn worst(name: &str, integrands: &Integrands, at: [u32; 2], count: u32) -> f64 {
-    let errors = samplers::with(name, &OnePixel { integrands, at, count });
+fn worst(name: &str, task: &OnePixel) -> f64 {
+    let errors = samplers::with(name, task);
+    let samples = f64::from(task.count * task.seeds.len() as u32);
     // A line that leaves out a small corner is met by too few points for a standard error.
-    let rare =
-        |k: usize| k >= SMOOTH && integrands.exact[k].min(1.0 - integrands.exact[k]) * f64::from(SEEDS * count) < 20.0;
+    let exact = &task.integrands.exact;
+    let rare = |k: usize| k >= SMOOTH && exact[k].min(1.0 - exact[k]) * samples < 20.0;
     let judged = errors.iter().enumerate().filter(|(k, _)| !rare(*k)).map(|(_, errors)| mean(errors));
     judged.fold(0.0, |worst: f64, v| worst.max(v.mean.abs() / v.error))
 }
@@ -45,13 +51,16 @@ fn worst(name: &str, integrands: &Integrands, at: [u32; 2], count: u32) -> f64 {
 /// Of the peers only the 2019 tables are left out: they have no seed, so there is nothing to take the mean over.
 #[test]
 fn the_mean_over_seeds_is_exact() {
-    let integrands = Integrands::new();
+    let integrands = &Integrands::new();
     let (mut worst_of_all, mut cases) = (0.0f64, 0);
     for name in samplers::NAMES.iter().filter(|name| **name != "heitz-2019") {
         for (at, count) in [([0, 0], 1), ([37, 101], 1), ([0, 0], 4), ([37, 101], 4), ([37, 101], 3)] {
-            let found = worst(name, &integrands, at, count);
-            assert!(found < 4.0, "{name} at {at:?}, {count} samples: {found} standard errors");
+            let mut found = worst(name, &OnePixel { integrands, at, count, seeds: 0..SEEDS });
             worst_of_all = worst_of_all.max(found);
+            if found > BOUND {
+                found = worst(name, &OnePixel { integrands, at, count, seeds: SEEDS..SEEDS + AGAIN });
+            }
+            assert!(found < BOUND, "{name} at {at:?}, {count} samples: {found} standard errors");
             cases += 1;
         }
     }
@@ -86,7 +95,7 @@ fn a_constant_offset_is_seen() {
         }
     }
     let integrands = Integrands::new();
-    let errors = OnePixel { integrands: &integrands, at: [0, 0], count: 4 }.run(&Shifted);
+    let errors = OnePixel { integrands: &integrands, at: [0, 0], count: 4, seeds: 0..SEEDS }.run(&Shifted);
     let worst = errors.iter().map(|e| mean(e)).fold(0.0, |worst: f64, v| worst.max(v.mean.abs() / v.error));
     assert!(worst > 10.0, "{worst}");
 }
