@@ -95,17 +95,17 @@ pub fn tables(bench: &Bench, names: &[&'static str], seed: u32, seeds: u32) -> V
 
 #[cfg(test)]
 mod checks {
-    /// Exact values against a million points of a Sobol sequence.
+    /// Exact values against a million Owen-scrambled points, which have no diagonals as the plain ones do.
     #[test]
     fn exact_values_are_exact() {
         const COUNT: u32 = 1 << 20;
         for (name, exact, f) in super::FUNCTIONS {
             let value = |index| {
-                let [x, y] = bluedither::sobol::point(index).map(bluedither::unit::to_f64);
-                f(x + 0.5 / f64::from(COUNT), y + 0.5 / f64::from(COUNT))
+                let [x, y] = bluedither::sobol::owen_point(index, 0x3a5f_91c7).map(bluedither::unit::to_f64);
+                f(x, y)
             };
             let mean = (0..COUNT).map(value).sum::<f64>() / f64::from(COUNT);
-            assert!((mean - exact).abs() < 6e-5, "{name}: {mean}, {exact}");
+            assert!((mean - exact).abs() < 1e-4, "{name}: {mean}, {exact}");
         }
     }
 }

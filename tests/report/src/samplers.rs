@@ -24,6 +24,9 @@ macro_rules! samplers {
                     |pixel, domain, index| pixel.draw::<1>(domain, index),
                     |pixel, domain, index| pixel.draw::<2>(domain, index),
                     |pixel, domain, index| pixel.draw::<4>(domain, index),
+                    |pixel, domain, first, out| pixel.fill::<1>(domain, first, out),
+                    |pixel, domain, first, out| pixel.fill::<2>(domain, first, out),
+                    |pixel, domain, first, out| pixel.fill::<4>(domain, first, out),
                 )),)*
                 _ => unreachable!("names are checked when arguments are read"),
             }
@@ -37,7 +40,7 @@ const OFFSETS: usize = size_of_val(&tables::OFFSET_2D_64);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
 
-// Any expression whose value has `pixel(x, y, frame)` and its `draw::<D>(domain, index)`; then the bytes of its tables,
+// Any expression whose value has `pixel(x, y, frame)` and its `draw::<D>(domain, index)` and `fill`; then the bytes of its tables,
 // if it has any.
 samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),

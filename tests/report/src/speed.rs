@@ -19,14 +19,19 @@ const BUFFER: usize = 4096;
 /// The order in which pixels are asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
+    /// Row by row, draw by draw.
     Rows,
+    /// Pixels in no order, draw by draw.
     Random,
+    /// Row by row, a pixel's whole set at once.
+    Batch,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Timing<'a> {
     dimensions: usize,
     spp: u32,
+    order: Order,
     pixels: &'a [[u32; 2]],
 }
 
@@ -35,11 +40,24 @@ impl Task for Timing<'_> {
     type Output = f64;
 
     fn run(&self, sampler: &impl Sampler) -> f64 {
+        if self.order == Order::Batch {
+            return match self.dimensions {
+                1 => self.time(sampler, |pixel, out| sampler.fill_1(pixel, 0, 0, out)),
+                2 => self.time(sampler, |pixel, out| sampler.fill_2(pixel, 0, 0, out)),
+                4 => self.time(sampler, |pixel, out| sampler.fill_4(pixel, 0, 0, out)),
+                _ => self.time(sampler, |pixel, out: &mut [[f32; 8]]| {
+                    // Two domains, one after the other.
+                    let (first, second) = out.as_flattened_mut().as_chunks_mut::<4>().0.split_at_mut(self.spp as usize);
+                    sampler.fill_4(pixel, 0, 0, first);
+                    sampler.fill_4(pixel, 1, 0, second);
+                }),
+            };
+        }
         match self.dimensions {
-            1 => self.time(sampler, |pixel, index, out| *out = sampler.draw_1(pixel, 0, index)),
-            2 => self.time(sampler, |pixel, index, out| *out = sampler.draw_2(pixel, 0, index)),
-            4 => self.time(sampler, |pixel, index, out| *out = sampler.draw_4(pixel, 0, index)),
-            _ => self.time(sampler, |pixel, index, out: &mut [f32; 8]| {
+            1 => self.each(sampler, |pixel, index, out| *out = sampler.draw_1(pixel, 0, index)),
+            2 => self.each(sampler, |pixel, index, out| *out = sampler.draw_2(pixel, 0, index)),
+            4 => self.each(sampler, |pixel, index, out| *out = sampler.draw_4(pixel, 0, index)),
+            _ => self.each(sampler, |pixel, index, out: &mut [f32; 8]| {
                 out[..4].copy_from_slice(&sampler.draw_4(pixel, 0, index));
                 out[4..].copy_from_slice(&sampler.draw_4(pixel, 1, index));
             }),
@@ -48,19 +66,27 @@ impl Task for Timing<'_> {
 }
 
 impl Timing<'_> {
+    /// Draw by draw.
     #[inline]
-    fn time<S: Sampler, const D: usize>(&self, sampler: &S, draw: impl Fn(S::Pixel, u32, &mut [f32; D])) -> f64 {
+    fn each<S: Sampler, const D: usize>(&self, sampler: &S, draw: impl Fn(S::Pixel, u32, &mut [f32; D])) -> f64 {
+        self.time(sampler, |pixel, out| {
+            for (index, out) in (0..).zip(out) {
+                draw(pixel, index, out);
+            }
+        })
+    }
+
+    /// `set` writes all samples of a pixel.
+    #[inline]
+    fn time<S: Sampler, const D: usize>(&self, sampler: &S, set: impl Fn(S::Pixel, &mut [[f32; D]])) -> f64 {
         let mut buffer = vec![[0.0; D]; BUFFER / D];
         let made = black_box(sampler.make(black_box(7), black_box(self.spp)));
-        let spp = black_box(self.spp);
-        let pixels = &self.pixels[..(SAMPLES / spp) as usize];
+        let spp = black_box(self.spp) as usize;
+        let pixels = &self.pixels[..SAMPLES as usize / spp];
         let start = Instant::now();
-        for run in pixels.chunks((buffer.len() / spp as usize).max(1)) {
-            for (&[x, y], out) in run.iter().zip(buffer.chunks_exact_mut(spp as usize)) {
-                let pixel = sampler.pixel(&made, x, y, 0);
-                for (index, out) in (0..).zip(out) {
-                    draw(pixel, index, out);
-                }
+        for run in pixels.chunks((buffer.len() / spp).max(1)) {
+            for (&[x, y], out) in run.iter().zip(buffer.chunks_exact_mut(spp)) {
+                set(sampler.pixel(&made, x, y, 0), out);
             }
             black_box(&mut buffer);
         }
@@ -89,22 +115,22 @@ pub fn measure(names: &[&'static str], rounds: usize) -> Speeds {
     let by_rows: Vec<[u32; 2]> = (0..SAMPLES).map(|k| [k % 256, k / 256]).collect();
     let anywhere: Vec<[u32; 2]> = (0..SAMPLES).map(|_| [random.bits_32() >> 20, random.bits_32() >> 20]).collect();
     let mut timings = Vec::new();
-    for (order, pixels) in [(Order::Rows, &by_rows), (Order::Random, &anywhere)] {
+    for (order, pixels) in [(Order::Rows, &by_rows), (Order::Random, &anywhere), (Order::Batch, &by_rows)] {
         for dimensions in DIMENSIONS {
-            timings.extend(SPP.map(|spp| (order, Timing { dimensions, spp, pixels })));
+            timings.extend(SPP.map(|spp| Timing { dimensions, spp, order, pixels }));
         }
     }
     let mut times = vec![vec![Vec::new(); names.len()]; timings.len()];
     let progress = Progress::new("speed", rounds);
     for _ in 0..rounds {
-        for ((_, timing), times) in timings.iter().zip(&mut times) {
+        for (timing, times) in timings.iter().zip(&mut times) {
             for (name, times) in names.iter().zip(times) {
                 times.push(samplers::with(name, timing));
             }
         }
         progress.add(1);
     }
-    let setting = |((order, Timing { dimensions, spp, .. }), times): ((Order, Timing), Vec<Vec<f64>>)| Setting {
+    let setting = |(Timing { dimensions, spp, order, .. }, times): (Timing, Vec<Vec<f64>>)| Setting {
         dimensions,
         spp,
         order,
@@ -131,6 +157,7 @@ impl Speeds {
     pub fn tables(&self) -> Vec<Table> {
         let mut all = vec![
             self.table("speed", "Nanoseconds a number, row by row", Order::Rows, None),
+            self.table("speed-batch", "Nanoseconds a number, a pixel's whole set at once", Order::Batch, None),
             self.table("speed-random", "Nanoseconds a number, random pixels", Order::Random, None),
         ];
         for (id, name, of) in [
@@ -139,6 +166,8 @@ impl Speeds {
         ] {
             if self.names.contains(&name) {
                 all.push(self.table(id, &format!("Time over that of {of}"), Order::Rows, Some(name)));
+                let title = format!("Time of the whole set at once over that of {of}");
+                all.push(self.table(&format!("{id}-batch"), &title, Order::Batch, Some(name)));
             }
         }
         all
@@ -163,7 +192,7 @@ impl Speeds {
         Table {
             id: id.into(),
             title: title.into(),
-            about: "Numbers a sample and samples per pixel; single draws written to a buffer, one thread, baseline target, median of rounds that take turns.".into(),
+            about: "Numbers a sample and samples per pixel; written to a buffer, one thread, baseline target, median of rounds that take turns.".into(),
             head: core::iter::once("sampler".to_string()).chain(heads).collect(),
             rows: self.names.iter().enumerate().map(line).collect(),
         }

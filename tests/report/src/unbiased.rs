@@ -93,6 +93,9 @@ fn a_constant_offset_is_seen() {
         fn draw_4(&self, _: u32, _: u32, _: u32) -> [f32; 4] {
             [0.5; 4]
         }
+        fn fill_1(&self, _: u32, _: u32, _: u32, _: &mut [[f32; 1]]) {}
+        fn fill_2(&self, _: u32, _: u32, _: u32, _: &mut [[f32; 2]]) {}
+        fn fill_4(&self, _: u32, _: u32, _: u32, _: &mut [[f32; 4]]) {}
     }
     let integrands = Integrands::new();
     let errors = OnePixel { integrands: &integrands, at: [0, 0], count: 4, seeds: 0..SEEDS }.run(&Shifted);

@@ -30,10 +30,25 @@ macro_rules! draws {
                 }
                 out
             }
+
+            $crate::peers::fill!();
         }
     };
 }
 use draws;
+
+/// Many samples: a loop, for the peers have nothing better to offer.
+macro_rules! fill {
+    () => {
+        #[inline]
+        pub fn fill<const D: usize>(self, domain: u32, first: u32, samples: &mut [[f32; D]]) {
+            for (k, sample) in (0..).zip(samples) {
+                *sample = self.draw(domain, first.wrapping_add(k));
+            }
+        }
+    };
+}
+use fill;
 
 /// Interleaves the lower 16 bits of x and y, x lowest.
 const fn morton(x: u32, y: u32) -> u32 {

@@ -36,4 +36,6 @@ impl SobolBurleyPixel {
         let all = sobol_burley::sample_4d(index, set, self.seed);
         core::array::from_fn(|k| all[k])
     }
+
+    super::fill!();
 }
