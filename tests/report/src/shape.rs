@@ -38,7 +38,7 @@ pub struct Shape<M, P, Make, Pixel, Draws, Fills> {
     types: PhantomData<fn() -> (M, P)>,
 }
 
-#[allow(clippy::too_many_arguments, reason = "the methods of a shape, written by one macro")]
+#[allow(clippy::too_many_arguments, clippy::type_complexity, reason = "the methods of a shape, written by one macro")]
 /// A macro gives the closures in this order; each one's types follow from those before.
 pub fn shape<M, P, Make, Pixel, D1, D2, D4, F1, F2, F4>(
     make: Make,
