@@ -2,7 +2,7 @@
 
 use crate::peers::{Cycles, Heitz, Pbrt, Pcg, RandomPattern, SobolBurley};
 use crate::shape::{Task, shape};
-use bluedither::{Constant, Dithered, White, tables};
+use bluedither::{Constant, Dithered, White, ZOrder, tables};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
@@ -48,6 +48,7 @@ samplers! { |seed, spp|
     "dithered" => Dithered::with_spp(seed, spp); MASKS,
     "dithered-progressive" => Dithered::new(seed); MASKS,
     "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp); MASKS,
+    "z-order" => ZOrder::with_spp(seed, spp),
     "dithered-random" => RandomPattern::new(seed); OFFSETS,
     "pcg" => Pcg::new(seed),
     "sobol_burley" => SobolBurley::new(seed); 256 * 16 * 4,
