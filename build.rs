@@ -17,6 +17,9 @@ mod effort;
 #[path = "src/hash.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod hash;
+#[path = "src/linear.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod linear;
 #[path = "src/sobol.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod sobol;
@@ -28,6 +31,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use bake::inputs::Inputs;
+use bake::linear_order::LinearOrder;
 use bake::recipe::Recipe;
 use bake::record::Digests;
 use effort::Effort;
@@ -45,8 +49,10 @@ fn run() -> Result<(), String> {
     let recipes: Vec<Recipe> = bake::recipe::all().into_iter().filter(|recipe| asked_for(&recipe.name())).collect();
     let counts: Vec<usize> =
         bake::directions::COUNTS.into_iter().filter(|&count| asked_for(&bake::directions::name(count))).collect();
+    let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
     let mut text = bake::embed::effort(effort);
-    // Without tables nothing is read: that is how damaged inputs can be recorded anew.
+    text += &LinearOrder::read(&tables)?.embed();
+    // Without features nothing else is read: that is how damaged inputs can be recorded anew.
     if !recipes.is_empty() {
         text += &bake_all(&recipes, effort)?;
     }

@@ -89,6 +89,7 @@
 pub mod effort;
 pub mod hash;
 pub mod lattice;
+pub mod linear;
 pub mod mask;
 #[cfg(feature = "pattern")]
 pub mod pattern;
@@ -104,7 +105,7 @@ pub mod warp;
 pub mod zorder;
 
 pub use mask::{ScalarMask, VectorMask};
-pub use sampler::{Constant, Dithered, White, ZOrder};
+pub use sampler::{Constant, Dithered, Sampler, White, ZOrder};
 
 /// The README's examples, compiled.
 #[cfg(all(doctest, feature = "threshold-64", feature = "offset-2d-64"))]

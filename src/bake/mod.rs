@@ -4,11 +4,14 @@
 //! depends on it.
 
 pub mod anneal;
+#[cfg(test)]
+pub mod columns;
 pub mod digest;
 pub mod directions;
 pub mod embed;
 pub mod features;
 pub mod inputs;
+pub mod linear_order;
 pub mod quality;
 pub mod recipe;
 pub mod record;

@@ -2,7 +2,7 @@
 
 use super::{call_shape, domain_seed};
 use crate::hash;
-use crate::linear::{self, BLOCK_LOG2, Order};
+use crate::linear::{self, BLOCK_LOG2, Order, SETS};
 use crate::tables::LINEAR_ORDER;
 
 /// Blue-noise error at every number of samples, with better points than Owen-scrambled ones: see [`linear`].
@@ -66,13 +66,15 @@ impl LinearPixel {
         let (x, y) = (self.x.wrapping_add(seed & INSIDE), self.y.wrapping_add(seed >> BLOCK_LOG2 & INSIDE));
         let place = (x >> BLOCK_LOG2).wrapping_mul(0x9e37_79b1) ^ (y >> BLOCK_LOG2).wrapping_mul(0x85eb_ca77);
         let random = hash::mix(seed ^ place);
+        // A block has one of the sets, transposed or not, its numbers swapped or not.
         let choice = random.wrapping_mul(0xd6e8_feb5);
-        let (u, v) = if choice >> 28 & 1 == 1 { (y & INSIDE, x & INSIDE) } else { (x & INSIDE, y & INSIDE) };
-        let digits = random ^ linear::digits(&self.order[(choice >> 29) as usize], u, v);
+        let set = ((choice as u64 * SETS as u64) >> 32) as usize;
+        let (u, v) = if choice >> 16 & 1 == 1 { (y & INSIDE, x & INSIDE) } else { (x & INSIDE, y & INSIDE) };
+        let digits = random ^ linear::digits(&self.order[set], u, v);
         let low = hash::mix(seed);
         let key = ((digits >> 16) as u64) << 48 | ((low >> 16) as u64) << 32 | (digits << 16 | low & 0xffff) as u64;
         let random = hash::mix(self.noise ^ seed);
-        LinearPair { key, swap: choice >> 22 & 32, random, rank: random >> 24 & self.ranks }
+        LinearPair { key, swap: choice >> 12 & 32, random, rank: random >> 24 & self.ranks }
     }
 }
 

@@ -22,11 +22,13 @@
 
 mod constant;
 mod dithered;
+mod linear;
 mod white;
 mod zorder;
 
 pub use constant::Constant;
 pub use dithered::{Dithered, DitheredPixel};
+pub use linear::{LinearPixel, Sampler};
 pub use white::{White, WhitePixel};
 pub use zorder::{ZOrder, ZOrderPixel};
 

@@ -49,6 +49,8 @@ macro_rules! for_every_sampler {
         for_every_sampler! { @each |$name, $sampler| $body
             "constant" => bluedither::Constant::with_spp(seed, spp),
             "white" => bluedither::White::with_spp(seed, spp),
+            "linear order, progressive" => bluedither::Sampler::new(seed),
+            "linear order" => bluedither::Sampler::with_spp(seed, spp),
             "global" => dithered,
             "single strata" => dithered.stratified_1d(spp),
             "strata" => dithered.stratified(spp),

@@ -2,7 +2,7 @@
 
 use crate::peers::{Cycles, Heitz, Pbrt, Pcg, RandomPattern, SobolBurley};
 use crate::shape::{Task, shape};
-use bluedither::{Constant, Dithered, White, ZOrder, tables};
+use bluedither::{Constant, Dithered, Sampler, White, ZOrder, tables};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
@@ -37,6 +37,7 @@ macro_rules! samplers {
 /// Bytes of the two default masks.
 const MASKS: usize = size_of_val(&tables::THRESHOLD_64) + OFFSETS;
 const OFFSETS: usize = size_of_val(&tables::OFFSET_2D_64);
+const LINEAR: usize = size_of_val(&tables::LINEAR_ORDER);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
 
@@ -45,6 +46,8 @@ const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
 samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),
     "constant" => Constant::with_spp(seed, spp),
+    "sampler" => Sampler::with_spp(seed, spp); LINEAR,
+    "sampler-progressive" => Sampler::new(seed); LINEAR,
     "dithered" => Dithered::with_spp(seed, spp); MASKS,
     "dithered-progressive" => Dithered::new(seed); MASKS,
     "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp); MASKS,
