@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Constant, Dithered, White, ZOrder};
+use bluedither::{Constant, Dithered, Sampler, White, ZOrder};
 
 const SIZE: u32 = 256;
 const ROUNDS: usize = 15;
@@ -29,9 +29,12 @@ macro_rules! draws {
     };
 }
 
-const ROWS: [Row; 14] = [
+const ROWS: [Row; 17] = [
     ("threshold mask, look-up", 1, |spp| (0..spp).map(|_| image(|x, y| THRESHOLD_64.value(x, y))).sum()),
     ("offset mask, look-up", 2, |spp| (0..spp).map(|_| image(|x, y| OFFSET_2D_64.value(x, y).iter().sum())).sum()),
+    ("Sampler::with_spp, 1D", 1, draws!(1, |spp| Sampler::with_spp(1, spp))),
+    ("Sampler::with_spp, 2D", 2, draws!(2, |spp| Sampler::with_spp(1, spp))),
+    ("Sampler::with_spp, 4D", 4, draws!(4, |spp| Sampler::with_spp(1, spp))),
     ("Dithered::with_spp, 1D", 1, draws!(1, |spp| Dithered::with_spp(1, spp))),
     ("Dithered::with_spp, 2D", 2, draws!(2, |spp| Dithered::with_spp(1, spp))),
     ("Dithered::with_spp, 4D", 4, draws!(4, |spp| Dithered::with_spp(1, spp))),

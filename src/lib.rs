@@ -5,23 +5,21 @@
 //! index), the same on every machine and thread. `build.rs` optimises the tables; the library looks them up.
 //!
 //! # Limits
-//! - Masks pay off at 1 to 9 samples per pixel and where the picture is smooth over a few pixels; with more samples,
-//!   or at edges and in fine texture, the error turns white. From 16 samples on, the Owen-scrambled points of [`White`]
-//!   are as good or better.
-//! - A tile of S×S pixels repeats: 64×64 by default. (Only the order in which a pixel visits strata does not.)
-//! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white.
+//! - It pays off where the picture is smooth over a few pixels; at edges and in fine texture the error is white.
+//! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white, and at one
+//!   sample per pixel, or in the first of many, related over blocks of 32×32 pixels.
+//! - The masks of [`Dithered`] repeat every 64×64 pixels and pay off at 1 to 9 samples per pixel.
 //! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
 //!
 //! # The pixel loop
 //! ```
-//! # #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))] {
-//! use bluedither::Dithered;
+//! use bluedither::Sampler;
 //!
 //! const LENS: u32 = 0; // a domain names what the numbers are for:
 //! const TIME: u32 = 1; // different domains are decorrelated
 //!
 //! let (seed, spp, frame) = (1, 4, 0);
-//! let sampler = Dithered::with_spp(seed, spp);
+//! let sampler = Sampler::with_spp(seed, spp); // or Sampler::new(seed), if the number is not known
 //! for (x, y) in [(0, 0), (1, 0)] {
 //!     let pixel = sampler.pixel(x, y, frame);
 //!     for index in 0..spp {
@@ -30,18 +28,19 @@
 //!         assert!(u < 1.0 && v < 1.0 && t < 1.0);
 //!     }
 //! }
-//! # }
 //! ```
-//! [`White`] and [`Constant`] have the same shape: change the one word to compare.
+//! All samplers have this shape: change the one word to compare.
 //!
 //! # What to use when
 //! | you have | take |
 //! |---|---|
-//! | a renderer, 1–9 samples per pixel | [`Dithered`]`::with_spp` |
-//! | a renderer that stops when it likes | [`Dithered`]`::new` |
+//! | a renderer | [`Sampler`]`::with_spp` |
+//! | a renderer that stops when it likes | [`Sampler`]`::new` |
+//! | one dimension at a time, few samples, hard steps | [`Dithered`]`::with_spp` |
+//! | no room for 4 KiB of constants | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
-//! | more than 9 samples per pixel | [`White`] |
+//! | a picture without smooth parts | [`White`] |
 //! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
 //! | a shader | `bytes()` of a mask (feature `bytemuck`), looked up as in [`mask`] |
 //!
@@ -72,8 +71,8 @@
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`sobol`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), [`White`], [`Constant`], and masks of your
-//! own.
+//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`sobol`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`],
+//! [`unit`](mod@unit), and masks of your own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
 //! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.

@@ -3,7 +3,7 @@
 //!
 //! As in the Z order (Ahmed and Wonka 2020) all pixels share one sequence, so that neighbours complete each other. But
 //! here the binary digits of a point are sums modulo 2 of *columns*, one for every bit that is set in the index and one
-//! for every bit that is set in the coordinates inside a block of 64×64 pixels, and of a random digital shift per block.
+//! for every bit that is set in the coordinates inside a block of 32×32 pixels, and of a random digital shift per block.
 //!
 //! Then everything is known beforehand. The error of an estimate is a sum over the Walsh functions that the points of a
 //! pixel do not integrate (the dual net); over the pixels of a block each is again a Walsh function, of a frequency that
@@ -15,14 +15,14 @@
 //! is the idea of higher-order nets (Dick 2008): from 8 samples on the error is below that of Owen-scrambled points.
 
 /// log₂ of the side of a block, pixels.
-pub const BLOCK_LOG2: u32 = 6;
+pub const BLOCK_LOG2: u32 = 5;
 
 /// What the coordinates add: for bits 0.. of x, then of y, the upper 16 digits of the first number (upper half) and of
 /// the second.
 pub type Columns = [u32; 2 * BLOCK_LOG2 as usize];
 
 /// How many sets of columns there are for a number of samples.
-pub const SETS: usize = 6;
+pub const SETS: usize = 8;
 
 /// Sets of columns that blocks choose from at random, which keeps a picture from showing them.
 pub type Order = [Columns; SETS];
@@ -112,7 +112,7 @@ impl Sequence {
     }
 }
 
-/// The digits that a pixel at (`x`, `y`) in its block, both below 64, adds to all its points: the upper 16 of the first
+/// The digits that a pixel at (`x`, `y`) in its block, both below 32, adds to all its points: the upper 16 of the first
 /// number in the upper half, of the second in the lower half.
 #[inline]
 #[must_use]

@@ -48,6 +48,14 @@ fn directions_cost_what_is_pinned() {
 }
 
 #[test]
+fn the_linear_order_links_less_than_4_kib() {
+    assert_eq!(size_of::<linear::Tables>(), 3_648);
+    assert!(size_of::<bluedither::Sampler>() <= 16);
+    let texts = [include_str!("../README.md"), include_str!("../src/sampler/linear.rs")];
+    assert!(texts.iter().all(|text| text.contains("3,648 bytes")), "README and docs state the bytes");
+}
+
+#[test]
 fn masks_hold_nothing_but_ranks() {
     assert_eq!(size_of::<ScalarMask<16>>(), 512);
     assert_eq!(size_of::<ScalarMask<256>>(), 131_072);

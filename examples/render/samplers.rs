@@ -6,7 +6,7 @@ use crate::arguments::Arguments;
 use crate::film::Image;
 use crate::masks::Masks;
 use crate::scene::{Dimensions, Sample, Scene};
-use bluedither::{Constant, Dithered, White, ZOrder};
+use bluedither::{Constant, Dithered, Sampler, White, ZOrder};
 
 /// What the numbers are for: different domains are decorrelated.
 const TIME: u32 = 0;
@@ -62,5 +62,7 @@ samplers! { |masks, seed, spp|
     "high-global" => masks.high().dithered(seed).global(),
     "high-stratified" => masks.high().dithered(seed).stratified(spp),
     "z-order" => ZOrder::with_spp(seed, spp),
-    "default" => Dithered::with_spp(seed, spp),
+    "dithered" => Dithered::with_spp(seed, spp),
+    "progressive" => Sampler::new(seed),
+    "default" => Sampler::with_spp(seed, spp),
 }

@@ -5,7 +5,14 @@ use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Order, SETS};
 use crate::tables::LINEAR_ORDER;
 
-/// Blue-noise error at every number of samples, with better points than Owen-scrambled ones: see [`linear`].
+/// Blue-noise error at every number of samples, from points that are better than Owen-scrambled ones: the
+/// [linear pixel order](crate::linear).
+///
+/// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
+/// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
+/// them do together is white, except that first samples of different domains may be related over a block of 32×32 pixels
+/// when the number of samples is 1 or not known. A domain costs a hash of block and pixel and ten XORs; a sample two
+/// look-ups and a shuffle of its number.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
@@ -16,13 +23,18 @@ pub struct Sampler {
 
 impl Sampler {
     /// Progressive: the sequence goes on for as long as it is asked, and every power of two is a good moment to stop.
+    ///
+    /// Beyond 256 samples the points go on as a (0, 2)-sequence, and blueness slowly fades.
     #[inline]
     #[must_use]
     pub const fn new(seed: u32) -> Self {
         Self { order: &LINEAR_ORDER.progressive, ranks: 0, seed }
     }
 
-    /// `spp` samples per pixel.
+    /// `spp` samples per pixel: bluer than by [`new`](Self::new) once all are drawn, and less so before.
+    ///
+    /// 0 counts as 1. A number that is no power of two has the order of the next one, and above 256 that of 256. An
+    /// `index` ≥ `spp` continues the sequence: every power of two of `spp` is a net again.
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {

@@ -19,10 +19,6 @@ pub type Map = [[u16; ROWS]; 2];
 const LANES: usize = 20;
 type Lanes = [f32; LANES];
 
-/// Times the mean of a spectrum, where it begins to be a spike: for all characters together, and for those of lines
-/// along an axis, which are few.
-const LIMITS: [f32; 2] = [8.0, 20.0];
-const PENALTY: f64 = 0.01;
 /// Of the first temperature.
 const LAST: f64 = 0.004;
 
@@ -78,7 +74,7 @@ struct Loudness {
     along_axis: bool,
 }
 
-/// Power on every Walsh function of the block, by depth, and for lines along an axis.
+/// Power on every Walsh function of the block, by depth; then that of lines along an axis.
 type Histogram = Vec<Vec<f32>>;
 
 /// One search.
@@ -91,6 +87,9 @@ pub struct Anneal<'a> {
     loudness: Vec<Loudness>,
     power: i32,
     penalty: f64,
+    /// Times the mean of a spectrum, where it begins to be a spike: for all characters together, and for those of lines
+    /// along an axis, which are few.
+    limits: [f32; 2],
 }
 
 impl<'a> Anneal<'a> {
@@ -138,6 +137,7 @@ impl<'a> Anneal<'a> {
             loudness: Vec::new(),
             power,
             penalty: 0.0,
+            limits: [0.0; 2],
         };
         for (c, (lanes, loudness)) in sorted {
             search.characters.push(c);
@@ -147,9 +147,10 @@ impl<'a> Anneal<'a> {
         search
     }
 
-    /// From now on spectra count as well.
-    pub fn limit_spectrum(&mut self) {
-        self.penalty = PENALTY;
+    /// From now on the mean square of what spectra exceed their limits by counts as well: for all characters together,
+    /// and for those of lines along an axis, which are few. The mean of a spectrum is 1.
+    pub fn limit_spectrum(&mut self, penalty: f64, limits: [f32; 2]) {
+        (self.penalty, self.limits) = (penalty, limits);
     }
 
     /// Improves the maps; returns the least energy, which is theirs.
@@ -193,10 +194,10 @@ impl<'a> Anneal<'a> {
         best.0
     }
 
-    /// The largest of each spectrum, its mean 1: by number of samples, then of lines along an axis.
+    /// The largest of each spectrum, its mean 1.
     pub fn spikes(&self, maps: &[Map]) -> Vec<f32> {
         let histograms: Vec<Histogram> = maps.iter().map(|map| self.histogram(map)).collect();
-        self.spectra(&histograms).into_iter().map(|s| s.into_iter().fold(0.0, f32::max)).collect()
+        self.spectra(&histograms).into_iter().map(|(_, s)| s.into_iter().fold(0.0, f32::max)).collect()
     }
 
     fn lanes(&self, map: &Map) -> Lanes {
@@ -227,12 +228,12 @@ impl<'a> Anneal<'a> {
 
     fn histogram(&self, map: &Map) -> Histogram {
         let sums = map.each_ref().map(sums);
-        let mut histogram = vec![vec![0f32; FUNCTIONS]; COUNTS + 1];
+        let mut histogram = vec![vec![0f32; FUNCTIONS]; 2 * COUNTS];
         for (c, loud) in self.characters.iter().zip(&self.loudness) {
             let function = usize::from(sums[0][usize::from(c[0])] ^ sums[1][usize::from(c[1])]);
             histogram[loud.depth][function] += loud.power;
-            if loud.along_axis && loud.depth == 0 {
-                histogram[COUNTS][function] += loud.power;
+            if loud.along_axis {
+                histogram[COUNTS + loud.depth][function] += loud.power;
             }
         }
         histogram
@@ -243,29 +244,27 @@ impl<'a> Anneal<'a> {
             return 0.0;
         }
         let spectra = self.spectra(histograms);
-        let (last, others) = spectra.split_last().expect("one for lines");
-        let over = |spectrum: &Vec<f32>, limit: f32| -> f64 {
-            spectrum.iter().map(|&s| f64::from((s - limit).max(0.0)) * f64::from((s - limit).max(0.0))).sum()
+        let over = |(which, spectrum): &(usize, Vec<f32>)| -> f64 {
+            let over = |&s: &f32| f64::from((s - self.limits[*which]).max(0.0));
+            spectrum.iter().map(|s| over(s) * over(s)).sum()
         };
-        let sum = others.iter().map(|s| over(s, LIMITS[0])).sum::<f64>() + over(last, LIMITS[1]);
+        let sum: f64 = spectra.iter().map(over).sum();
         self.penalty * sum / (spectra.len() * FREQUENCIES * FREQUENCIES) as f64
     }
 
-    /// Mean spectra over the sets, a set and its transpose: what as many samples or more leave over, then lines.
-    fn spectra(&self, histograms: &[Histogram]) -> Vec<Vec<f32>> {
+    /// Mean spectra over the sets, a set and its transpose, of what as many samples or more leave over: of all (0), and
+    /// of lines along an axis (1).
+    fn spectra(&self, histograms: &[Histogram]) -> Vec<(usize, Vec<f32>)> {
         let mut spectra = Vec::new();
-        let mut power = vec![0f32; FUNCTIONS];
-        for depth in (0..COUNTS).rev() {
-            for histogram in histograms {
-                power.iter_mut().zip(&histogram[depth]).for_each(|(sum, p)| *sum += p);
+        for which in 0..2 {
+            let mut power = vec![0f32; FUNCTIONS];
+            for depth in (0..COUNTS).rev() {
+                for histogram in histograms {
+                    power.iter_mut().zip(&histogram[which * COUNTS + depth]).for_each(|(sum, p)| *sum += p);
+                }
+                spectra.extend(self.spectrum(&power).map(|spectrum| (which, spectrum)));
             }
-            spectra.extend(self.spectrum(&power));
         }
-        let mut lines = vec![0f32; FUNCTIONS];
-        for histogram in histograms {
-            lines.iter_mut().zip(&histogram[COUNTS]).for_each(|(sum, p)| *sum += p);
-        }
-        spectra.push(self.spectrum(&lines).unwrap_or_default());
         spectra
     }
 

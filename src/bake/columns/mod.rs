@@ -30,7 +30,7 @@ use rayon::prelude::*;
 use super::linear_order::LinearOrder;
 use crate::linear::{Columns, ORDERS, Order, SETS};
 use anneal::{Anneal, Map};
-use net::Duals;
+use net::{Duals, Rows};
 use power::Power;
 use response::Responses;
 
@@ -45,37 +45,46 @@ const GOALS: [[f64; COUNTS]; FAMILIES] = [
     [0.683, 0.566, 0.600, 0.705, 0.655, 0.729, 0.645, 0.680, 0.710],
     [0.470, 0.381, 0.462, 0.526, 0.535, 0.567, 0.552, 0.530, 0.517],
 ];
-/// How the error of known numbers of samples is weighed: half-planes, smooth.
-const WEIGHTS: [f64; FAMILIES] = [1.0, 0.3];
+/// What smooth integrands weigh beside half-planes at known numbers of samples: little at 2, where half-planes are hard.
+const SMOOTH: [f64; COUNTS] = [0.3, 0.03, 0.3, 0.3, 0.2, 0.2, 0.2, 0.2, 0.2];
 
 /// Finds them all: some minutes. `say` is told what is done.
 pub fn find(say: &(dyn Fn(String) + Sync)) -> LinearOrder {
     let power = Power::of_training();
     say("power of the training integrands".into());
     let responses = Responses::new();
-    let rows = rows::find(&power, &responses, say);
-    let duals: Vec<Duals> = (0..COUNTS).map(|m| Duals::new(&power, m, &net::prefix(&rows, m))).collect();
-    let orders: Vec<Order> = (0..ORDERS).into_par_iter().map(|which| order(which, &duals, &responses, say)).collect();
-    LinearOrder { sequence: net::sequence(&rows), orders: orders.try_into().expect("one for each") }
+    let (rows, map) = rows::find(&power, &responses, say);
+    finish(&power, &responses, &rows, &map, say)
+}
+
+/// Finds the orders for these rows.
+fn finish(power: &Power, responses: &Responses, rows: &Rows, map: &Map, say: &(dyn Fn(String) + Sync)) -> LinearOrder {
+    let duals: Vec<Duals> = (0..COUNTS).map(|m| Duals::new(power, m, &net::prefix(rows, m))).collect();
+    let orders: Vec<Order> =
+        (0..ORDERS).into_par_iter().map(|which| order(which, map, &duals, responses, say)).collect();
+    LinearOrder { sequence: net::sequence(rows), orders: orders.try_into().expect("one for each") }
 }
 
 /// The sets for 2^`which` samples, or, last, for any number.
-fn order(which: usize, duals: &[Duals], responses: &Responses, say: &(dyn Fn(String) + Sync)) -> Order {
+fn order(which: usize, start: &Map, duals: &[Duals], responses: &Responses, say: &(dyn Fn(String) + Sync)) -> Order {
     let progressive = which == ORDERS - 1;
     let mut search = if progressive {
-        Anneal::new(duals, responses, progressive_lane, 0.99, 24)
+        Anneal::new(duals, responses, lane, 0.99, 24)
     } else {
         Anneal::new(
             &duals[which..=which],
             responses,
-            |m, family| (m == 0).then_some((family, WEIGHTS[family])),
+            |m, family| (m == 0).then_some((family, [1.0, SMOOTH[which]][family])),
             0.98,
             1,
         )
     };
-    search.limit_spectrum();
-    let mut maps: Vec<Map> = (0..SETS).map(|set| anneal::random_map((which * SETS + set) as u64)).collect();
-    let (tries, heat) = if progressive { (60_000, 0.1) } else { (4_000, 0.1) };
+    search.limit_spectrum(0.05, [8.0, 18.0]);
+    // Sets of the progressive order begin with the map that was found together with the rows: from elsewhere none is as
+    // good.
+    let first = |set| if progressive { *start } else { anneal::random_map((which * SETS + set) as u64) };
+    let mut maps: Vec<Map> = (0..SETS).map(first).collect();
+    let (tries, heat) = if progressive { (25_000, 0.006) } else { (15_000, 0.1) };
     let energy = search.run(&mut maps, which as u64, tries, heat);
     say(format!(
         "order {which}: {energy:.4}, W {}, spikes {:.0?}",
@@ -86,9 +95,8 @@ fn order(which: usize, duals: &[Duals], responses: &Responses, say: &(dyn Fn(Str
 }
 
 /// Where a family at 2^`m` samples is summed, and with which weight.
-fn progressive_lane(m: usize, family: usize) -> Option<(usize, f64)> {
-    // Smooth integrands at 128 and 256 are far below what is asked for.
-    (family == 0 || m < 7).then(|| (family * COUNTS + m, (GOALS[family][m] * GOALS[family][m]).recip()))
+fn lane(m: usize, family: usize) -> Option<(usize, f64)> {
+    Some((family * COUNTS + m, (GOALS[family][m] * GOALS[family][m]).recip()))
 }
 
 /// W of half-planes and smooth integrands for every number of samples, as predicted.

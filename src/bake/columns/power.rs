@@ -36,7 +36,7 @@ fn mean(integrands: Vec<Integrand>, one_by_one: bool) -> Vec<Vec<f32>> {
     let count = integrands.len() as f64;
     // In batches, summed in order: the outcome does not depend on the number of threads.
     for batch in integrands.chunks(8) {
-        let transforms: Vec<Vec<f32>> = batch.par_iter().map(squares).collect();
+        let transforms: Vec<Vec<f32>> = batch.par_iter().map(|f| squares(&**f)).collect();
         let owen: Vec<[f64; COUNTS]> = transforms.par_iter().map(|squares| owen_variances(squares)).collect();
         for variance in &owen {
             variances.iter_mut().zip(variance).for_each(|(sum, v)| *sum += v / count);
@@ -87,7 +87,7 @@ fn smooth(seed: u64) -> Integrand {
 }
 
 /// Squared Walsh coefficients: a fast transform of the values at the centres of a grid.
-fn squares(integrand: &Integrand) -> Vec<f32> {
+pub fn squares(integrand: &dyn Fn(f64, f64) -> f64) -> Vec<f32> {
     let reversed = |i: usize| i.reverse_bits() >> (usize::BITS as usize - DIGITS);
     let centre = |i: usize| (reversed(i) as f64 + 0.5) / SIDE as f64;
     let mut values: Vec<f32> = (0..SIDE * SIDE).map(|i| integrand(centre(i % SIDE), centre(i / SIDE)) as f32).collect();
@@ -105,7 +105,7 @@ fn squares(integrand: &Integrand) -> Vec<f32> {
 
 /// The variance of Owen-scrambled points: the power on each level times the share of its functions in a dual net (Owen
 /// 1997). Level (a, b) holds the functions whose highest digits are a and b.
-fn owen_variances(squares: &[f32]) -> [f64; COUNTS] {
+pub fn owen_variances(squares: &[f32]) -> [f64; COUNTS] {
     let level = |c: usize| (usize::BITS - c.leading_zeros()) as usize;
     let mut powers = [[0f64; DIGITS + 1]; DIGITS + 1];
     for (c, square) in squares.iter().enumerate() {

@@ -7,7 +7,7 @@ pub const BLOCK: usize = 1 << BLOCK_LOG2;
 /// Walsh functions of a block; function w is that of x for its lower half of bits, times that of y for the upper.
 pub const FUNCTIONS: usize = BLOCK * BLOCK;
 /// Frequencies from 0 to half a cycle a pixel at which spectra are looked at.
-pub const FREQUENCIES: usize = 25;
+pub const FREQUENCIES: usize = 33;
 
 /// Responses of all functions; that of white noise is 1.
 pub struct Responses {

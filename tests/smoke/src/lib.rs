@@ -5,7 +5,9 @@
 #![no_std]
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Constant, Dithered, White, hash, shift, sobol, strata, torus, unit, warp};
+use bluedither::{
+    Constant, Dithered, Sampler, White, ZOrder, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
+};
 
 unsafe extern "C" {
     /// Defined nowhere.
@@ -28,6 +30,13 @@ pub extern "C" fn samplers(seed: u32, spp: u32, x: u32, y: u32, frame: u32, doma
         sum += pixel.draw::<2>(domain, index)[1] + pixel.draw::<4>(domain, index)[3];
         sum += pixel.pattern::<2, 16>(domain, spp).iter().map(|point| point[0]).sum::<f32>();
     }
+    let mut samples = [[0.0; 3]; 5];
+    for pixel in [Sampler::new(seed), Sampler::with_spp(seed, spp)].map(|sampler| sampler.pixel(x, y, frame)) {
+        sum += pixel.draw::<1>(domain, index)[0] + pixel.draw::<4>(domain, index)[3];
+        pixel.fill(domain, index, &mut samples);
+        sum += samples[4][2];
+    }
+    sum += ZOrder::new(seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
     sum += White::new(seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
     sum + Constant::with_spp(seed, spp).pixel(x, y, frame).draw::<4>(domain, index)[3]
 }
@@ -53,6 +62,8 @@ pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
     sum ^= strata::permute(a, b, c) ^ strata::turn(a, b, c) ^ strata::jittered_1d(a, b, c) ^ strata::jittered_2d(a, b, c)[1];
     sum ^= strata::regular_1d(a, b) ^ strata::regular_2d(a, b)[0] ^ shift::global([a, b], [b, c])[1];
     sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
+    sum ^= lattice::fixed(a, b, c) ^ lattice::extensible(a, b) ^ zorder::first_index(a) ^ linear::shuffle(a, b);
+    sum ^= hash::owen_4(a, b) ^ linear::digits(&[a; 10], b, c);
     sum ^ unit::from_f32(unit::to_f32(a)) ^ torus::wrap(a, b)
 }
 
