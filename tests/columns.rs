@@ -60,7 +60,7 @@ fn a_damaged_file_is_noticed() {
     let lines: Vec<&str> = text.lines().collect();
     let without = |k: usize| [&lines[..k], &lines[k + 1..]].concat().join("\n");
     let swapped = [&lines[..first], &[lines[first + 1], lines[first]], &lines[first + 2..]].concat().join("\n");
-    let longer = text.replacen("seal", "00000000\nseal", 1);
+    let longer = text.replacen("\nseal", "\n00000000\nseal", 1);
     let flipped = if lines[first].starts_with('0') { "1" } else { "0" };
     let other = text.replacen(lines[first], &(flipped.to_string() + &lines[first][1..]), 1);
     for damaged in [String::new(), without(first), without(lines.len() - 1), swapped, longer, other] {

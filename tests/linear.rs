@@ -40,12 +40,17 @@ fn the_sequence_is_the_sum_of_its_columns() {
 }
 
 #[test]
-fn an_order_is_that_of_the_next_power_of_two() {
-    let which = |spp| LINEAR_ORDER.known.iter().position(|order| core::ptr::eq(order, LINEAR_ORDER.known(spp)));
-    for (spp, place) in [(0, 0), (1, 0), (2, 1), (3, 2), (4, 2), (5, 3), (128, 7), (129, 8), (256, 8), (257, 8)] {
-        assert_eq!(which(spp), Some(place), "{spp}");
+fn powers_of_two_have_an_order_of_their_own_and_other_numbers_the_progressive_one() {
+    let which = |spp| LINEAR_ORDER.known.iter().position(|order| core::ptr::eq(order, LINEAR_ORDER.order(spp)));
+    assert_eq!(which(0), Some(0));
+    for m in 0..9 {
+        assert_eq!(which(1 << m), Some(m));
     }
-    assert_eq!(which(u32::MAX), Some(8));
+    for spp in [3, 5, 12, 48, 255, 257, 512, 1 << 31, u32::MAX] {
+        assert!(core::ptr::eq(LINEAR_ORDER.order(spp), &LINEAR_ORDER.progressive), "{spp}");
+        let draw = |sampler: Sampler| sampler.pixel(3, 4, 5).draw_fx::<4>(6, spp / 2);
+        assert_eq!(draw(Sampler::with_spp(7, spp)), draw(Sampler::new(7)));
+    }
 }
 
 #[test]

@@ -33,13 +33,13 @@ impl Sampler {
 
     /// `spp` samples per pixel: bluer than by [`new`](Self::new) once all are drawn, and less so before.
     ///
-    /// 0 counts as 1. A number that is no power of two has the order of the next one, and above 256 that of 256. An
-    /// `index` ≥ `spp` continues the sequence: every power of two of `spp` is a net again.
+    /// For powers of two up to 256; 0 counts as 1. Other numbers are drawn as by [`new`](Self::new). An `index` ≥ `spp`
+    /// continues the sequence: at every power of two the points are a net again.
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
         let ranks = if spp.is_power_of_two() && spp <= 256 { spp - 1 } else { 0 };
-        Self { order: LINEAR_ORDER.known(spp), ranks, seed }
+        Self { order: LINEAR_ORDER.order(spp), ranks, seed }
     }
 
     /// The samples of one pixel in one frame. Any coordinates and frame; negative ones are passed `as u32`.
