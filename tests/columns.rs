@@ -71,7 +71,7 @@ fn a_damaged_file_is_noticed() {
 /// The sign of the digits in `c`, first digit in bit 0.
 fn character(c: [u32; 2], [x, y]: [u32; 2]) -> i32 {
     let odd = (x.reverse_bits() & c[0]).count_ones() + (y.reverse_bits() & c[1]).count_ones();
-    if odd % 2 == 0 { 1 } else { -1 }
+    if odd.is_multiple_of(2) { 1 } else { -1 }
 }
 
 /// The whole theory: the error on a character is nothing, or a Walsh function over the pixels of a block.
@@ -91,8 +91,8 @@ fn a_character_is_integrated_or_a_walsh_function_of_the_pixels() {
                 let [kx, ky] = upper(linear::digits(set, x, y) ^ shift);
                 let sample = |i| digits(LINEAR_ORDER.sequence.packed(i));
                 let sum: i32 = (0..1 << m).map(|i| character(c, [sample(i)[0] ^ kx, sample(i)[1] ^ ky])).sum();
-                let walsh = if (function & p).count_ones() % 2 == 0 { 1 } else { -1 };
-                let expected = if dual { character(c, upper(shift)) * walsh << m } else { 0 };
+                let walsh = if (function & p).count_ones().is_multiple_of(2) { 1 } else { -1 };
+                let expected = if dual { (character(c, upper(shift)) * walsh) << m } else { 0 };
                 assert_eq!(sum, expected, "{c:?} at {x}, {y}");
             }
         }

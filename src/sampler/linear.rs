@@ -11,7 +11,7 @@ use crate::tables::LINEAR_ORDER;
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
 /// them do together is white, except that first samples of different domains may be related over a block of 32×32 pixels
-/// when the number of samples is 1 or not known. A domain costs a hash of block and pixel and ten XORs; a sample two
+/// when the number of samples is 1, not known, or no power of two up to 256. A domain costs a hash of block and pixel and ten XORs; a sample two
 /// look-ups and a shuffle of its number.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
@@ -86,7 +86,9 @@ impl LinearPixel {
         let low = hash::mix(seed);
         let key = ((digits >> 16) as u64) << 48 | ((low >> 16) as u64) << 32 | (digits << 16 | low & 0xffff) as u64;
         let random = hash::mix(self.noise ^ seed);
-        LinearPair { key, swap: choice >> 12 & 32, random, rank: random >> 24 & self.ranks }
+        // Not the bits that shuffle uses: a flip and a step of the same byte would cancel.
+        let rank = random.wrapping_mul(0x85eb_ca77) >> 24 & self.ranks;
+        LinearPair { key, swap: choice >> 12 & 32, random, rank }
     }
 }
 
