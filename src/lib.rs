@@ -2,12 +2,13 @@
 //! high-frequency, evenly spread, the least visible to the eye and the easiest to denoise.
 //!
 //! No `std`, no allocation, no `unsafe`, no state: every number is a pure function of (tables, pixel, frame, domain,
-//! index), the same on every machine and thread. `build.rs` optimises the tables; the library looks them up.
+//! index), the same on every machine and thread. `build.rs` optimises the masks; the constants of [`Sampler`] come frozen.
 //!
 //! # Limits
 //! - It pays off where the picture is smooth over a few pixels; at edges and in fine texture the error is white.
 //! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white, and at one
-//!   sample per pixel, or in the first of many, related over blocks of 32×32 pixels.
+//!   sample per pixel, or in the first of many, related over blocks of 32×32 pixels
+//!   (see [`Sampler`]).
 //! - The masks of [`Dithered`] repeat every 64×64 pixels and pay off at 1 to 9 samples per pixel.
 //! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
 //!
@@ -71,7 +72,8 @@
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`sobol`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`],
+//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`sobol`], [`linear`],
+//! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`],
 //! [`unit`](mod@unit), and masks of your own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are

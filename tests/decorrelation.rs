@@ -14,7 +14,13 @@ fn domains_frames_and_components_are_decorrelated() {
     for_every_sampler!(2, 4, |name, sampler| {
         if name != "constant" {
             // The baked masks are blue noise, whose neighbours a few pixels apart are related a little.
-            let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
+            // First samples of the progressive linear order may be related over a block of 32² pixels, as its docs say:
+            // these images have some nine of them.
+            let bound = match name {
+                "linear order, progressive" => 6.0 * NO_CORRELATION,
+                _ if name.starts_with("baked") => 2.0 * NO_CORRELATION,
+                _ => NO_CORRELATION,
+            };
             let at = |domain, frame| image(|x, y| sampler.pixel(x, y, frame).draw_fx::<2>(domain, 0)[0]);
             let single = |domain, frame| image(|x, y| sampler.pixel(x, y, frame).draw_fx::<1>(domain, 0)[0]);
             let (pair_here, single_here) = (at(0, 0), single(0, 0));
@@ -61,7 +67,8 @@ fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) 
     };
     let here = series(0, 0);
     let mut squares = [0.0; 7];
-    const OTHERS: u32 = 48;
+    // Many: linear orders are in step for one pair in a hundred, and then wholly.
+    const OTHERS: u32 = 480;
     for k in 1..=OTHERS {
         let (domain, frame) = (series(0, k), series(k, 0));
         let pairs = [

@@ -145,7 +145,9 @@ impl Order {
     /// After as many samples as strata these are filled again, between what is there: the pass, and the cell in it.
     #[inline]
     const fn cell(self, index: u32) -> (u32, u32) {
-        let Self { seed, strata: count, turn } = self;
+        let Self { seed, strata, turn } = self;
+        // Never 0 here; said again for the divisions, which would else keep a check.
+        let count = at_least_one(strata);
         if count == 1 {
             return (hash::shuffle(index, seed), 0);
         }

@@ -11,8 +11,8 @@ use crate::tables::LINEAR_ORDER;
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
 /// them do together is white, except that first samples of different domains may be related over a block of 32×32 pixels
-/// when the number of samples is 1, not known, or no power of two up to 256. A domain costs a hash of block and pixel and ten XORs; a sample two
-/// look-ups and a shuffle of its number.
+/// when the number of samples is 1, not known, or no power of two up to 256. A domain costs five hashes and ten XORs; a sample a
+/// shuffle of its number, two look-ups, and one for each bit set above the eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
@@ -24,7 +24,8 @@ pub struct Sampler {
 impl Sampler {
     /// Progressive: the sequence goes on for as long as it is asked, and every power of two is a good moment to stop.
     ///
-    /// Beyond 256 samples the points go on as a (0, 2)-sequence, and blueness slowly fades.
+    /// Smooth integrands are bluest up to some 32 samples; beyond 256 the points go on as a (0, 2)-sequence, and blueness
+    /// fades.
     #[inline]
     #[must_use]
     pub const fn new(seed: u32) -> Self {

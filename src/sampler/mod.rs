@@ -102,30 +102,38 @@ macro_rules! call_shape {
 }
 use call_shape;
 
-/// Fills `samples` pair by pair, each component through `convert`.
+/// Fills `samples` pair by pair, each component through `convert`. Places are constants, so that no check is left.
 macro_rules! fill {
     ($pixel:ident, $domain:ident, $first:ident, $samples:ident, $D:ident, $convert:expr) => {{
         const { assert!($D >= 1 && $D <= 4, "a domain has 1 to 4 dimensions: fill more from further domains") };
-        let mut k = 0;
-        while k < $D {
-            let pad = if k < 2 { 0 } else { 1 };
-            let mut index = $first;
-            if k + 1 < $D {
-                let pair = $pixel.pair($domain, pad);
-                for sample in $samples.iter_mut() {
-                    [sample[k], sample[k + 1]] = pair.at(index).map($convert);
-                    index = index.wrapping_add(1);
-                }
-            } else {
-                let single = $pixel.single($domain, pad);
-                for sample in $samples.iter_mut() {
-                    sample[k] = [single.at(index)].map($convert)[0];
-                    index = index.wrapping_add(1);
-                }
-            }
-            k += 2;
+        if $D == 1 {
+            $crate::sampler::fill!(@single $pixel, $domain, $first, $samples, 0, $convert);
+        } else {
+            $crate::sampler::fill!(@pair $pixel, $domain, $first, $samples, 0, $convert);
+        }
+        if $D == 3 {
+            $crate::sampler::fill!(@single $pixel, $domain, $first, $samples, 2, $convert);
+        }
+        if $D == 4 {
+            $crate::sampler::fill!(@pair $pixel, $domain, $first, $samples, 2, $convert);
         }
     }};
+    (@single $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
+        let single = $pixel.single($domain, $k / 2);
+        let mut index = $first;
+        for sample in $samples.iter_mut() {
+            [sample[$k]] = [single.at(index)].map($convert);
+            index = index.wrapping_add(1);
+        }
+    };
+    (@pair $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
+        let pair = $pixel.pair($domain, $k / 2);
+        let mut index = $first;
+        for sample in $samples.iter_mut() {
+            [sample[$k], sample[$k + 1]] = pair.at(index).map($convert);
+            index = index.wrapping_add(1);
+        }
+    };
 }
 use fill;
 

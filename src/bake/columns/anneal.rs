@@ -1,7 +1,7 @@
 //! Simulated annealing of the digits that pixels flip.
 //!
 //! ```text
-//! E = (mean over lanes of (Jₗ / goalₗ)ᵖ)^(1/p), Jₗ the mean over the sets; plus what the mean spectra exceed a limit by
+//! E = (Σ over lanes of (weightₗ·Jₗ)ᵖ)^(1/p), Jₗ the mean over the sets; plus what the mean spectra exceed a limit by
 //! repeat: change the word of one digit of one set; keep it if E grows by less than −T ln(random)
 //! ```
 //! A lane is a family of integrands at a number of samples; p = 1 for one number, and large where the worst of all

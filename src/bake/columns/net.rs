@@ -5,7 +5,7 @@ use super::power::{DIGITS, Power, SIDE};
 use super::{COUNTS, FAMILIES};
 use crate::hash;
 
-/// Digits that pixels flip, and that the searches scramble; further ones are scrambled at random.
+/// Digits that pixels flip, of which the searches change the first [`DIGITS`]; further ones are scrambled at random.
 pub const ROWS: usize = 16;
 /// For each number and digit, the bits of a sample's number below 256 that flip it.
 pub type Rows = [[u16; ROWS]; 2];
