@@ -128,19 +128,3 @@ pub const fn digits(columns: &Columns, x: u32, y: u32) -> u32 {
     }
     sum
 }
-
-/// Shuffles sample numbers by a random linear map so that every set {0, …, 2ᵏ−1} stays the same set: a bit is flipped
-/// by higher bits only. Cheaper than [`hash::shuffle`](crate::hash::shuffle), and nearly as good where the points are linear.
-#[inline]
-#[must_use]
-pub const fn shuffle(index: u32, random: u32) -> u32 {
-    // Each step reads a byte of its own, for the lower bits at least; with fewer steps some pairs of domains stay in step.
-    let more = random.wrapping_mul(0x9e37_79b1);
-    let index = index ^ (index >> 1 & random);
-    let index = index ^ (index >> 2 & random.rotate_left(8));
-    let index = index ^ (index >> 4 & random.rotate_left(16));
-    let index = index ^ (index >> 3 & random.rotate_left(24));
-    let index = index ^ (index >> 5 & more.rotate_left(8));
-    let index = index ^ (index >> 6 & more.rotate_left(16));
-    index ^ (index >> 7 & more.rotate_left(24))
-}

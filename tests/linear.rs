@@ -124,13 +124,6 @@ proptest! {
     }
 
     #[test]
-    fn shuffles_keep_the_highest_bit_and_are_linear(a: u32, b: u32, random: u32) {
-        let map = |index| linear::shuffle(index, random);
-        prop_assert_eq!(map(a).leading_zeros(), a.leading_zeros());
-        prop_assert_eq!(map(a ^ b), map(a) ^ map(b));
-    }
-
-    #[test]
     fn samples_before_spp_are_those_of_a_set_whatever_their_order(seed: u32, x: u32, y: u32, m in 0u32..9) {
         // The rank permutes; it changes no estimate.
         let sampler = Sampler::with_spp(seed, 1 << m);

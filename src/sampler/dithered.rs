@@ -1,6 +1,6 @@
 //! Georgiev and Fajardo 2016: one pattern for the image, one offset a pixel from a blue-noise mask.
 
-use super::{call_shape, domain_seed};
+use super::{call_shape, domain_seed, spread};
 use crate::mask::{ScalarMask, VectorMask};
 use crate::{hash, shift, sobol, strata, torus};
 
@@ -122,9 +122,7 @@ impl<const S: usize> DitheredPixel<'_, S> {
     #[inline]
     const fn order(self, domain: u32, pad: u32, strata: u32) -> Order {
         let seed = hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame);
-        // Two odd constants of no meaning, for a number that differs between the pixels of a screen.
-        let pixel = self.x.wrapping_mul(0x9e37_79b1) ^ self.y.wrapping_mul(0x85eb_ca77);
-        Order { seed, strata, turn: hash::combine(seed, pixel) }
+        Order { seed, strata, turn: hash::combine(seed, spread(self.x, self.y)) }
     }
 }
 

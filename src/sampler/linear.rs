@@ -1,6 +1,6 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{call_shape, domain_seed};
+use super::{call_shape, domain_seed, spread};
 use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Order, SETS};
 use crate::tables::LINEAR_ORDER;
@@ -17,7 +17,7 @@ use crate::tables::LINEAR_ORDER;
 pub struct Sampler {
     order: &'static Order,
     /// Bits of a sample's number that a pixel may flip.
-    ranks: u32,
+    flips: u32,
     seed: u32,
 }
 
@@ -29,7 +29,7 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub const fn new(seed: u32) -> Self {
-        Self { order: &LINEAR_ORDER.progressive, ranks: 0, seed }
+        Self { order: &LINEAR_ORDER.progressive, flips: 0, seed }
     }
 
     /// `spp` samples per pixel: bluer than by [`new`](Self::new) once all are drawn, and less so before.
@@ -39,8 +39,8 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
-        let ranks = if spp.is_power_of_two() && spp <= 256 { spp - 1 } else { 0 };
-        Self { order: LINEAR_ORDER.order(spp), ranks, seed }
+        let flips = if spp.is_power_of_two() && spp <= 256 { spp - 1 } else { 0 };
+        Self { order: LINEAR_ORDER.order(spp), flips, seed }
     }
 
     /// The samples of one pixel in one frame. Any coordinates and frame; negative ones are passed `as u32`.
@@ -48,9 +48,7 @@ impl Sampler {
     #[must_use]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> LinearPixel {
         let seed = hash::combine(self.seed, frame);
-        // Two odd constants of no meaning.
-        let noise = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77);
-        LinearPixel { order: self.order, ranks: self.ranks, seed, noise, x, y }
+        LinearPixel { order: self.order, flips: self.flips, seed, x, y }
     }
 }
 
@@ -58,9 +56,8 @@ impl Sampler {
 #[derive(Clone, Copy, Debug)]
 pub struct LinearPixel {
     order: &'static Order,
-    ranks: u32,
+    flips: u32,
     seed: u32,
-    noise: u32,
     x: u32,
     y: u32,
 }
@@ -77,8 +74,7 @@ impl LinearPixel {
         let seed = domain_seed(self.seed, domain, pad);
         // Blocks of every domain begin elsewhere.
         let (x, y) = (self.x.wrapping_add(seed & INSIDE), self.y.wrapping_add(seed >> BLOCK_LOG2 & INSIDE));
-        let place = (x >> BLOCK_LOG2).wrapping_mul(0x9e37_79b1) ^ (y >> BLOCK_LOG2).wrapping_mul(0x85eb_ca77);
-        let random = hash::mix(seed ^ place);
+        let random = hash::mix(seed ^ spread(x >> BLOCK_LOG2, y >> BLOCK_LOG2));
         // A block has one of the sets, transposed or not, its numbers swapped or not.
         let choice = random.wrapping_mul(0xd6e8_feb5);
         let set = ((choice as u64 * SETS as u64) >> 32) as usize;
@@ -86,10 +82,9 @@ impl LinearPixel {
         let digits = random ^ linear::digits(&self.order[set], u, v);
         let low = hash::mix(seed);
         let key = ((digits >> 16) as u64) << 48 | ((low >> 16) as u64) << 32 | (digits << 16 | low & 0xffff) as u64;
-        let random = hash::mix(self.noise ^ seed);
-        // Not the bits that shuffle uses: a flip and a step of the same byte would cancel.
-        let rank = random.wrapping_mul(0x85eb_ca77) >> 24 & self.ranks;
-        LinearPair { key, swap: choice >> 12 & 32, random, rank }
+        // All pixels of a block in one order of samples would keep two domains in step over it.
+        let shuffle = hash::mix(seed ^ spread(self.x, self.y));
+        LinearPair { key, swap: choice >> 12 & 32, shuffle, flip: hash::other(shuffle) >> 24 & self.flips }
     }
 }
 
@@ -98,15 +93,15 @@ impl LinearPixel {
 struct LinearPair {
     key: u64,
     swap: u32,
-    random: u32,
-    rank: u32,
+    shuffle: u32,
+    flip: u32,
 }
 
 impl LinearPair {
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "the lower half of the word")]
     const fn at(self, index: u32) -> [u32; 2] {
-        let index = linear::shuffle(index, self.random) ^ self.rank;
+        let index = hash::shuffle_rev(index.reverse_bits(), self.shuffle).reverse_bits() ^ self.flip;
         let point = (LINEAR_ORDER.sequence.packed(index) ^ self.key).rotate_left(self.swap);
         [(point >> 32) as u32, point as u32]
     }

@@ -1,14 +1,13 @@
 //! The call shape that all samplers share, and the samplers.
 //!
 //! ```
-//! # #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))] {
-//! use bluedither::Dithered; // or any other: changing this one word compares two
+//! use bluedither::Sampler; // or any other: changing this one word compares two
 //!
 //! const LENS: u32 = 0; // a domain names what the numbers are for:
 //! const TIME: u32 = 1; // different domains are decorrelated
 //!
 //! let (seed, spp, frame) = (1, 4, 0);
-//! let sampler = Dithered::with_spp(seed, spp);
+//! let sampler = Sampler::with_spp(seed, spp);
 //! for (x, y) in [(0, 0), (1, 0)] {
 //!     let pixel = sampler.pixel(x, y, frame);
 //!     for index in 0..spp {
@@ -17,7 +16,6 @@
 //!         assert!(u < 1.0 && v < 1.0 && t < 1.0);
 //!     }
 //! }
-//! # }
 //! ```
 
 mod constant;
@@ -141,4 +139,9 @@ use fill;
 const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
     // A constant without a pattern, so that padding meets no domain in use.
     crate::hash::combine(seed, domain ^ pad.wrapping_mul(0x5bd1_e995))
+}
+
+/// A number that differs between the pixels of a screen, to be hashed with a seed: two odd constants of no meaning.
+const fn spread(x: u32, y: u32) -> u32 {
+    x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77)
 }

@@ -82,8 +82,8 @@ pub(crate) fn correlation(a: &[f64], b: &[f64]) -> f64 {
     product / (square(a, ma) * square(b, mb)).sqrt()
 }
 
-/// One number of every pixel of a tile.
-pub(crate) fn image(value: impl Fn(u32, u32) -> u32) -> Vec<f64> {
-    let size = SIZE as u32;
+/// One number of every pixel of a square image.
+pub(crate) fn image(size: usize, value: impl Fn(u32, u32) -> u32) -> Vec<f64> {
+    let size = size as u32;
     (0..size * size).map(|p| unit::to_f64(value(p % size, p / size))).collect()
 }
