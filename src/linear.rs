@@ -42,22 +42,21 @@ pub struct Tables {
 }
 
 impl Tables {
-    /// The order for `spp` samples a pixel: its own for powers of two up to 256, else the progressive one, which is
-    /// bluer at 3, 12 and 48 samples than that of the next power of two. 0 counts as 1.
+    /// The order made for `spp` samples a pixel, 0 counting as 1: powers of two up to 256 have one.
     #[inline]
     #[must_use]
-    pub const fn order(&self, spp: u32) -> &Order {
+    pub const fn known(&self, spp: u32) -> Option<&Order> {
         match spp {
-            0 | 1 => &self.known[0],
-            2 => &self.known[1],
-            4 => &self.known[2],
-            8 => &self.known[3],
-            16 => &self.known[4],
-            32 => &self.known[5],
-            64 => &self.known[6],
-            128 => &self.known[7],
-            256 => &self.known[8],
-            _ => &self.progressive,
+            0 | 1 => Some(&self.known[0]),
+            2 => Some(&self.known[1]),
+            4 => Some(&self.known[2]),
+            8 => Some(&self.known[3]),
+            16 => Some(&self.known[4]),
+            32 => Some(&self.known[5]),
+            64 => Some(&self.known[6]),
+            128 => Some(&self.known[7]),
+            256 => Some(&self.known[8]),
+            _ => None,
         }
     }
 }
@@ -114,8 +113,8 @@ impl Sequence {
     }
 }
 
-/// The digits that a pixel at (`x`, `y`) in its block, both below 32, adds to all its points: the upper 16 of the first
-/// number in the upper half, of the second in the lower half.
+/// The digits that a pixel at (`x`, `y`) in its block adds to all its points: the upper 16 of the first number in the
+/// upper half, of the second in the lower half. Only the lower 5 bits of the coordinates count. Ten ANDs and XORs.
 #[inline]
 #[must_use]
 pub const fn digits(columns: &Columns, x: u32, y: u32) -> u32 {

@@ -12,15 +12,17 @@ use bluedither::{White, effort, hash, linear, sobol, strata};
 mod analysis;
 #[path = "../src/bake/mod.rs"]
 mod bake;
+#[path = "../src/bake/columns/mod.rs"]
+mod columns;
 #[path = "common/net.rs"]
 mod net_checks;
 
 use analysis::error::{ErrorImage, kernel_norm};
-use bake::columns::anneal::{Anneal, random_map};
-use bake::columns::net::{self, Candidates};
-use bake::columns::power::{self, Power, SIDE};
-use bake::columns::response::{BLOCK, Responses};
 use bake::linear_order::LinearOrder;
+use columns::anneal::{Anneal, random_map};
+use columns::net::{self, Candidates};
+use columns::power::{self, Power, SIDE};
+use columns::response::{BLOCK, Responses};
 use net_checks::assert_net;
 
 fn tables() -> PathBuf {
@@ -31,14 +33,14 @@ fn tables() -> PathBuf {
 #[ignore = "writes tables/linear_order.txt after minutes of search"]
 fn write_linear_order() {
     let start = std::time::Instant::now();
-    let found = bake::columns::find(&|line| eprintln!("{:4.0} s  {line}", start.elapsed().as_secs_f64()));
+    let found = columns::find(&|line| eprintln!("{:4.0} s  {line}", start.elapsed().as_secs_f64()));
     std::fs::write(tables().join("linear_order.txt"), found.text()).expect("tables/ can be written");
 }
 
 #[test]
 #[ignore = "searches for minutes"]
 fn frozen_constants_are_what_the_search_finds() {
-    let found = bake::columns::find(&|line| eprintln!("{line}"));
+    let found = columns::find(&|line| eprintln!("{line}"));
     assert_eq!(found, LinearOrder::read(&tables()).expect("frozen constants"));
 }
 
@@ -169,7 +171,7 @@ fn an_annealers_energy_is_the_power_of_the_filtered_error() {
 #[test]
 fn rows_stay_those_of_a_net() {
     let mut rows = net::sobol(0);
-    let mut random = bake::columns::anneal::Random::new(9);
+    let mut random = columns::anneal::Random::new(9);
     for _ in 0..200 {
         net::add_a_row(&mut rows, &mut random);
     }

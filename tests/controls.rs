@@ -28,9 +28,9 @@ fn white_points_are_nets_of_their_own() {
 fn white_is_uncorrelated_between_pixels_and_uniform() {
     let sampler = White::new(5);
     let size = SIZE as u32;
-    let here = image(common::SIZE, |x, y| sampler.pixel(x, y, 0).draw_fx::<1>(0, 0)[0]);
+    let here = image(SIZE, |x, y| sampler.pixel(x, y, 0).draw_fx::<1>(0, 0)[0]);
     for (right, down) in [(1, 0), (0, 1), (1, 1), (2, 0), (64, 0), (0, 64), (5, 7)] {
-        let there = image(common::SIZE, |x, y| sampler.pixel(x + right, y + down, 0).draw_fx::<1>(0, 0)[0]);
+        let there = image(SIZE, |x, y| sampler.pixel(x + right, y + down, 0).draw_fx::<1>(0, 0)[0]);
         let r = correlation(&here, &there);
         assert!(r.abs() < NO_CORRELATION, "{right}, {down}: {r}");
     }

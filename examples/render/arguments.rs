@@ -49,7 +49,7 @@ pub struct Arguments {
 }
 
 const EXAMPLE: &str = "Example: the moving sphere alone, two samplers
-  cargo run --release --example render -- --dimensions time --samplers high-stratified,default --spp 1,4 --out motion";
+  cargo run --release --example render -- --dimensions time --samplers high-stratified,sampler --spp 1,4 --out motion";
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Dimension {

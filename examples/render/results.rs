@@ -155,7 +155,7 @@ pub fn save(rows: &[Row], reference: &Reference, folders: &Folders) -> Result<()
 fn hero(rows: &[Row], crop: Crop, folders: &Folders) -> Result<(), String> {
     let Some(row) = rows.iter().min_by_key(|row| row.spp) else { return Ok(()) };
     let scale = 3.0 * row.white().rms.max(1e-6);
-    let chosen = ["white", "default"].into_iter().filter_map(|name| row.found.iter().find(|found| found.name == name));
+    let chosen = ["white", "sampler"].into_iter().filter_map(|name| row.found.iter().find(|found| found.name == name));
     let rows: Vec<(String, RgbImage, RgbImage)> = chosen
         .map(|found| {
             let name = if found.name == "white" { "white noise" } else { "bluedither" };

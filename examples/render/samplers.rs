@@ -63,6 +63,6 @@ samplers! { |masks, seed, spp|
     "high-stratified" => masks.high().dithered(seed).stratified(spp),
     "z-order" => ZOrder::with_spp(seed, spp),
     "dithered" => Dithered::with_spp(seed, spp),
-    "progressive" => Sampler::new(seed),
-    "default" => Sampler::with_spp(seed, spp),
+    "sampler-progressive" => Sampler::new(seed),
+    "sampler" => Sampler::with_spp(seed, spp),
 }

@@ -4,8 +4,6 @@
 //! depends on it.
 
 pub mod anneal;
-#[cfg(test)]
-pub mod columns;
 pub mod digest;
 pub mod directions;
 pub mod embed;

@@ -8,7 +8,7 @@ use crate::{hash, shift, sobol, strata, torus};
 ///
 /// One dimension is taken from a scalar mask, pairs from a two-channel mask, each read at a place of its own for every
 /// domain and frame. Strong at 1 to 9 samples per pixel on what is smooth over the screen; with more the error turns
-/// white, and from 16 on [`White`](crate::White), which has better points, leaves no more of it. A draw costs a few
+/// white, and from 16 on [`White`](crate::White), which has better points, leaves less of it. A draw costs a few
 /// hashes, a look-up and a Sobol point, and with strata a division or more.
 #[derive(Clone, Copy, Debug)]
 pub struct Dithered<'a, const S: usize = 64> {
@@ -167,7 +167,7 @@ struct DitheredSingle {
 
 impl DitheredSingle {
     #[inline]
-    const fn at(self, index: u32) -> u32 {
+    const fn first(self, index: u32) -> u32 {
         if self.order.strata == 0 {
             return sobol::dimension_0(hash::shuffle(index, self.order.seed)).wrapping_add(self.offset);
         }

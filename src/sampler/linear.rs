@@ -12,7 +12,7 @@ use crate::tables::LINEAR_ORDER;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
 /// them do together is white, except that first samples of different domains may be related over a block of 32×32 pixels
 /// when the number of samples is 1, not known, or no power of two up to 256. A domain costs five hashes and ten XORs; a sample a
-/// shuffle of its number, two look-ups, and one for each bit set above the eighth.
+/// shuffle of its number (two bit reversals, three products), two look-ups, and one for each bit set above the eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
@@ -39,8 +39,10 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
-        let flips = if spp.is_power_of_two() && spp <= 256 { spp - 1 } else { 0 };
-        Self { order: LINEAR_ORDER.order(spp), flips, seed }
+        match LINEAR_ORDER.known(spp) {
+            Some(order) => Self { order, flips: spp.saturating_sub(1), seed },
+            None => Self::new(seed),
+        }
     }
 
     /// The samples of one pixel in one frame. Any coordinates and frame; negative ones are passed `as u32`.
@@ -64,8 +66,8 @@ pub struct LinearPixel {
 
 impl LinearPixel {
     #[inline]
-    const fn single(self, domain: u32, pad: u32) -> LinearSingle {
-        LinearSingle(self.pair(domain, pad))
+    const fn single(self, domain: u32, pad: u32) -> LinearPair {
+        self.pair(domain, pad)
     }
 
     #[inline]
@@ -75,7 +77,8 @@ impl LinearPixel {
         // Blocks of every domain begin elsewhere.
         let (x, y) = (self.x.wrapping_add(seed & INSIDE), self.y.wrapping_add(seed >> BLOCK_LOG2 & INSIDE));
         let random = hash::mix(seed ^ spread(x >> BLOCK_LOG2, y >> BLOCK_LOG2));
-        // A block has one of the sets, transposed or not, its numbers swapped or not.
+        // A block has one of the sets, transposed or not, its numbers swapped or not: by upper bits of a product with an
+        // odd constant of no meaning.
         let choice = random.wrapping_mul(0xd6e8_feb5);
         let set = ((choice as u64 * SETS as u64) >> 32) as usize;
         let (u, v) = if choice >> 16 & 1 == 1 { (y & INSIDE, x & INSIDE) } else { (x & INSIDE, y & INSIDE) };
@@ -105,16 +108,10 @@ impl LinearPair {
         let point = (LINEAR_ORDER.sequence.packed(index) ^ self.key).rotate_left(self.swap);
         [(point >> 32) as u32, point as u32]
     }
-}
 
-/// The first of a pair.
-#[derive(Clone, Copy)]
-struct LinearSingle(LinearPair);
-
-impl LinearSingle {
     #[inline]
-    const fn at(self, index: u32) -> u32 {
-        self.0.at(index)[0]
+    const fn first(self, index: u32) -> u32 {
+        self.at(index)[0]
     }
 }
 

@@ -31,8 +31,8 @@ pub use white::{White, WhitePixel};
 pub use zorder::{ZOrder, ZOrderPixel};
 
 /// The public draws of a pixel, made from its two private ones, `single(domain, pad)` and `pair(domain, pad)`, where
-/// `pad` is 1 for the second pair and else 0. Each returns all that does not depend on the index, a small value whose
-/// `at(index)` is a `u32` or a `[u32; 2]`.
+/// `pad` is 1 for the second pair and else 0. Each returns all that does not depend on the index, a small value with
+/// `first(index) -> u32` for a single dimension and `at(index) -> [u32; 2]` for a pair.
 ///
 /// A macro and not a trait, so that a user needs no import and the docs of each sampler are whole.
 macro_rules! call_shape {
@@ -54,7 +54,7 @@ macro_rules! call_shape {
                     if k + 1 < D {
                         [out[k], out[k + 1]] = self.pair(domain, pad).at(index);
                     } else {
-                        out[k] = self.single(domain, pad).at(index);
+                        out[k] = self.single(domain, pad).first(index);
                     }
                     k += 2;
                 }
@@ -120,7 +120,7 @@ macro_rules! fill {
         let single = $pixel.single($domain, $k / 2);
         let mut index = $first;
         for sample in $samples.iter_mut() {
-            [sample[$k]] = [single.at(index)].map($convert);
+            [sample[$k]] = [single.first(index)].map($convert);
             index = index.wrapping_add(1);
         }
     };
@@ -137,8 +137,12 @@ use fill;
 
 /// The seed of a domain's numbers, one for each of its two pairs.
 const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
-    // A constant without a pattern, so that padding meets no domain in use.
-    crate::hash::combine(seed, domain ^ pad.wrapping_mul(0x5bd1_e995))
+    crate::hash::combine(seed, padded(domain, pad))
+}
+
+/// A domain of its own for a second pair: by a constant without a pattern, so that it meets no domain in use.
+const fn padded(domain: u32, pad: u32) -> u32 {
+    domain ^ pad.wrapping_mul(0x5bd1_e995)
 }
 
 /// A number that differs between the pixels of a screen, to be hashed with a seed: two odd constants of no meaning.

@@ -43,8 +43,8 @@ pub struct WhitePixel {
 
 impl WhitePixel {
     #[inline]
-    const fn single(self, domain: u32, pad: u32) -> WhiteSingle {
-        WhiteSingle(self.pair(domain, pad))
+    const fn single(self, domain: u32, pad: u32) -> WhitePair {
+        self.pair(domain, pad)
     }
 
     #[inline]
@@ -64,16 +64,10 @@ impl WhitePair {
     const fn at(self, index: u32) -> [u32; 2] {
         sobol::owen_point(hash::shuffle(index, self.seed), self.seed)
     }
-}
 
-/// The first of a pair.
-#[derive(Clone, Copy)]
-struct WhiteSingle(WhitePair);
-
-impl WhiteSingle {
     #[inline]
-    const fn at(self, index: u32) -> u32 {
-        self.0.at(index)[0]
+    const fn first(self, index: u32) -> u32 {
+        self.at(index)[0]
     }
 }
 

@@ -1,6 +1,6 @@
 //! Ahmed and Wonka 2020: one sequence for the image, dealt to the pixels along a shuffled Z curve.
 
-use super::call_shape;
+use super::{call_shape, padded};
 use crate::{hash, sobol, zorder};
 
 /// Z-order sampling: all pixels share one Owen-scrambled (0, 2)-sequence, so that the points of neighbours complete each
@@ -52,14 +52,14 @@ pub struct ZOrderPixel {
 
 impl ZOrderPixel {
     #[inline]
-    const fn single(self, domain: u32, pad: u32) -> ZOrderSingle {
-        ZOrderSingle(self.pair(domain, pad))
+    const fn single(self, domain: u32, pad: u32) -> ZOrderPair {
+        self.pair(domain, pad)
     }
 
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
     const fn pair(self, domain: u32, pad: u32) -> ZOrderPair {
-        let seeds = hash::mix_64((self.seed as u64) << 32 | (domain ^ pad.wrapping_mul(0x5bd1_e995)) as u64);
+        let seeds = hash::mix_64((self.seed as u64) << 32 | (padded(domain, pad)) as u64);
         // Without an order of its own, a domain would fill its strata over the pixels in step with the others.
         let place_rev = hash::laine_karras(self.place_rev, (seeds >> 16) as u32);
         // Neighbours differ in the upper bits alone: the upper half of a product spreads them.
@@ -90,21 +90,16 @@ impl ZOrderPair {
         [(both >> 32) as u32, both as u32]
     }
 
+    /// The first number alone.
+    #[inline]
+    const fn first(self, index: u32) -> u32 {
+        hash::laine_karras(self.index(index), self.seeds[0]).reverse_bits()
+    }
+
     /// On the Sobol sequence. The pairs of a pixel see the same first 2ᵏ samples in orders of their own.
     #[inline]
     const fn index(self, index: u32) -> u32 {
         hash::shuffle_rev(index.reverse_bits(), self.order).reverse_bits() ^ self.first
-    }
-}
-
-/// The first of a pair.
-#[derive(Clone, Copy)]
-struct ZOrderSingle(ZOrderPair);
-
-impl ZOrderSingle {
-    #[inline]
-    const fn at(self, index: u32) -> u32 {
-        hash::laine_karras(self.0.index(index), self.0.seeds[0]).reverse_bits()
     }
 }
 

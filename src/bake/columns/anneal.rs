@@ -19,7 +19,7 @@ pub type Map = [[u16; ROWS]; 2];
 const LANES: usize = 20;
 type Lanes = [f32; LANES];
 
-/// Of the first temperature.
+/// The last temperature, in parts of the first.
 const LAST: f64 = 0.004;
 
 /// SplitMix64 (Steele, Lea and Flood 2014), written out so that its stream never changes.

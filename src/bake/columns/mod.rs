@@ -16,7 +16,8 @@
 //! 2. [`rows`]: these rows again, together with the columns of the progressive order;
 //! 3. [`anneal`]: sets of columns for each number of samples, whose mean spectrum must have no spikes.
 //!
-//! The training integrands are random half-planes and random smooth functions; the evaluation uses others. All sums
+//! The training integrands are random half-planes and random smooth functions; the evaluation uses others, and nothing
+//! here is taken from it. All sums
 //! are in a fixed order and all functions libm's, so that the outcome is the same on every machine.
 
 pub mod anneal;
@@ -27,7 +28,7 @@ pub mod rows;
 
 use rayon::prelude::*;
 
-use super::linear_order::LinearOrder;
+use crate::bake::linear_order::LinearOrder;
 use crate::linear::{Columns, ORDERS, Order, SETS};
 use anneal::{Anneal, Map};
 use net::{Duals, Rows};
@@ -39,11 +40,12 @@ pub const COUNTS: usize = ORDERS - 1;
 /// The two families of integrands, half-planes and smooth.
 pub const FAMILIES: usize = 2;
 
-/// W at sigma 1 that counts as 1: for half-planes and smooth integrands at 1, 2, 4, …, 256 samples what the best of the
-/// published methods reach, with some per cent less where training and evaluation were seen to differ.
+/// W at sigma 1 that counts as 1, for half-planes and smooth integrands at 1, 2, 4, …, 256 samples: what the best of the
+/// published methods reach (the frozen figures of `tests/report`; at 128 the geometric mean of 64 and 256). First
+/// samples count for less: half as much again is asked of them.
 const GOALS: [[f64; COUNTS]; FAMILIES] = [
-    [0.683, 0.566, 0.600, 0.705, 0.655, 0.729, 0.645, 0.680, 0.710],
-    [0.470, 0.381, 0.462, 0.526, 0.535, 0.567, 0.552, 0.530, 0.517],
+    [1.5 * 0.471, 0.572, 0.601, 0.712, 0.662, 0.744, 0.664, 0.697, 0.731],
+    [1.5 * 0.285, 0.381, 0.462, 0.526, 0.535, 0.567, 0.552, 0.534, 0.517],
 ];
 /// What smooth integrands weigh beside half-planes at known numbers of samples: little at 2, where half-planes are hard.
 const SMOOTH: [f64; COUNTS] = [0.3, 0.03, 0.3, 0.3, 0.2, 0.2, 0.2, 0.2, 0.2];

@@ -117,8 +117,7 @@ mod checks {
             );
             names.push(name);
         }
-        // None yet, or all.
-        assert!(names.is_empty() || names == BLOCKS, "blocks of README.md: {names:?}");
+        assert_eq!(names, BLOCKS, "blocks of README.md");
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Cycles' blue-noise sampling ("pure" mode, Blender 4.3; after Ahmed and Wonka 2020 and Vegdahl 2022), written from its
 //! description: a base-4 Owen-scrambled Morton curve gives every pixel a run of one Owen-scrambled Sobol sequence.
 
-use super::{draws, morton};
+use super::draws;
+use bluedither::zorder::morton_16;
 use bluedither::{hash, sobol, unit};
 
 /// The samples are rounded up to a power of two. As in the original, pixels times samples wrap at 2³².
@@ -28,7 +29,7 @@ impl Cycles {
     #[inline]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> CyclesPixel {
         let seed = hash::combine(self.seed, frame);
-        let place = owen_base_4(morton(x, y).reverse_bits(), seed).reverse_bits();
+        let place = owen_base_4(morton_16(x, y).reverse_bits(), seed).reverse_bits();
         CyclesPixel { seed, first: place.wrapping_shl(self.spp_log2) }
     }
 }

@@ -49,15 +49,3 @@ macro_rules! fill {
     };
 }
 use fill;
-
-/// Interleaves the lower 16 bits of x and y, x lowest.
-const fn morton(x: u32, y: u32) -> u32 {
-    const fn spread(v: u32) -> u32 {
-        let v = v & 0xffff;
-        let v = (v | v << 8) & 0x00ff_00ff;
-        let v = (v | v << 4) & 0x0f0f_0f0f;
-        let v = (v | v << 2) & 0x3333_3333;
-        (v | v << 1) & 0x5555_5555
-    }
-    spread(x) | spread(y) << 1
-}

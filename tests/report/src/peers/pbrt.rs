@@ -1,7 +1,8 @@
 //! The ZSobolSampler of pbrt-v4 (Pharr, Jakob and Humphreys 2023; after Ahmed and Wonka 2020), written from its
 //! description: Morton order with base-4 digits permuted by a hash of those above, then Owen-scrambled Sobol points.
 
-use super::{draws, morton};
+use super::draws;
+use bluedither::zorder::morton_16;
 use bluedither::{hash, sobol, unit};
 
 /// The samples are rounded up to a power of two. Images up to 2³² samples.
@@ -31,7 +32,7 @@ impl Pbrt {
 
     #[inline]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> PbrtPixel {
-        let morton = (morton(x, y) as u64) << self.spp_log2;
+        let morton = (morton_16(x, y) as u64) << self.spp_log2;
         PbrtPixel { seed: hash::combine(self.seed, frame), spp_log2: self.spp_log2, morton }
     }
 }
