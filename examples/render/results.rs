@@ -37,8 +37,8 @@ pub struct Row {
 }
 
 pub const HEADING: &str = "
-                               |  root mean square error      | over that of white, same spp
-sampler            spp      ms |  pixel  sigma 1.0  sigma 2.1 |  pixel  sigma 1.0  sigma 2.1";
+                                  |  root mean square error      | over that of white, same spp
+sampler               spp      ms |  pixel  sigma 1.0  sigma 2.1 |  pixel  sigma 1.0  sigma 2.1";
 
 impl Row {
     /// `found` holds "white", which the others are measured against.
@@ -57,7 +57,7 @@ impl Display for Row {
         let white = self.white();
         for Found { name, time, rms, filtered: [fine, coarse], .. } in &self.found {
             let ms = time.as_secs_f32() * 1000.0;
-            write!(f, "{name:16} {:5} {ms:7.1} | {rms:.4}     {fine:.4}     {coarse:.4} | ", self.spp)?;
+            write!(f, "{name:19} {:5} {ms:7.1} | {rms:.4}     {fine:.4}     {coarse:.4} | ", self.spp)?;
             let ratios = [rms / white.rms, fine / white.filtered[0], coarse / white.filtered[1]];
             writeln!(f, "{:6.2} {:10.2} {:10.2}", ratios[0], ratios[1], ratios[2])?;
         }
