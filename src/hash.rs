@@ -106,10 +106,13 @@ pub const fn owen_4(value_fx: u32, seed: u32) -> u32 {
     laine_karras_4(value_fx.reverse_bits(), seed).reverse_bits()
 }
 
-/// A quicker [`shuffle`], for an index that is bit-reversed already, and so is the result.
+/// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set, and 0 stays 0; of an index that is
+/// bit-reversed already, and so is the result.
 ///
-/// Products and sums pass on nothing to lower bits, and zeros below stay zeros, so every set {0, …, 2ᵏ−1} of indices
-/// stays the same set, and 0 stays 0. Three multiplications take a hash of `seed` apart. Hash `seed` first.
+/// Two pairs of dimensions that read one sequence in two such orders are decorrelated, and each still sees the first
+/// 2ᵏ points after 2ᵏ samples. Products and sums pass on nothing to lower bits, and zeros below stay zeros, so that below
+/// its top set bit an index is Owen-scrambled (compare Burley 2020). Three multiplications take a hash of `seed` apart.
+/// Hash `seed` first.
 #[inline]
 #[must_use]
 pub const fn shuffle_rev(index_rev: u32, seed: u32) -> u32 {
@@ -119,19 +122,9 @@ pub const fn shuffle_rev(index_rev: u32, seed: u32) -> u32 {
     n ^ n.wrapping_mul((seed >> 10) & !1)
 }
 
-/// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set.
-///
-/// Two pairs of dimensions that read one sequence in two such orders are decorrelated, and each still sees the first
-/// 2ᵏ points after 2ᵏ samples. 0 and 1 stay in place. Below its top set bit an index is Owen-scrambled by a hash that
-/// depends on the place of that bit (the prefix-preserving form of Burley's 2020 shuffle).
+/// [`shuffle_rev`] of an index that is not reversed.
 #[inline]
 #[must_use]
 pub const fn shuffle(index: u32, seed: u32) -> u32 {
-    if index < 2 {
-        return index;
-    }
-    let low_log2 = 31 - index.leading_zeros();
-    let low = index ^ (1 << low_log2);
-    let scrambled = owen(low << (32 - low_log2), mix(seed ^ low_log2));
-    (1 << low_log2) | (scrambled >> (32 - low_log2))
+    shuffle_rev(index.reverse_bits(), seed).reverse_bits()
 }

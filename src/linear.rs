@@ -17,8 +17,8 @@
 /// log₂ of the side of a block, pixels.
 pub const BLOCK_LOG2: u32 = 5;
 
-/// What the coordinates add: for bits 0.. of x, then of y, the upper 16 digits of the first number (upper half) and of
-/// the second.
+/// What the coordinates add: for bit 0 of x, bit 0 of y, bit 1 of x, …, the upper 16 digits of the first number (upper
+/// half) and of the second.
 pub type Columns = [u32; 2 * BLOCK_LOG2 as usize];
 
 /// How many sets of columns there are for a number of samples.
@@ -64,7 +64,7 @@ impl Tables {
 /// A (0, 2)-sequence in base 2 by its columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sequence {
-    /// The sums for the two lower nibbles of an index: the first number is the upper half.
+    /// The sums for the two lower nibbles of an index, each reversed: the first number is the upper half.
     nibbles: [[u64; 16]; 2],
     /// The columns of the other bits.
     columns: [u64; 24],
@@ -81,7 +81,7 @@ impl Sequence {
             if bit < 8 {
                 let mut sum = 0;
                 while sum < 16 {
-                    if sum >> (bit % 4) & 1 == 1 {
+                    if sum >> (3 - bit % 4) & 1 == 1 {
                         sequence.nibbles[bit / 4][sum] ^= column;
                     }
                     sum += 1;
@@ -99,31 +99,65 @@ impl Sequence {
     #[inline]
     #[must_use]
     pub const fn packed(&self, index: u32) -> u64 {
-        let mut sum = self.nibbles[0][(index & 15) as usize] ^ self.nibbles[1][(index >> 4 & 15) as usize];
-        let mut rest = index >> 8;
+        self.packed_rev(index.reverse_bits())
+    }
+
+    /// The same, of a bit-reversed index.
+    #[inline]
+    #[must_use]
+    pub const fn packed_rev(&self, index_rev: u32) -> u64 {
+        let sum = self.nibbles[0][(index_rev >> 28) as usize] ^ self.nibbles[1][(index_rev >> 24 & 15) as usize];
+        if index_rev << 8 == 0 { sum } else { sum ^ self.rest(index_rev << 8) }
+    }
+
+    /// The sum for the bits above the eighth. Not inline, so that what is called for most numbers of samples is.
+    #[inline(never)]
+    const fn rest(&self, rest_rev: u32) -> u64 {
+        let mut rest = rest_rev;
+        let mut sum = 0;
         let mut bit = 0;
         while rest != 0 && bit < 24 {
-            if rest & 1 == 1 {
+            if rest >> 31 == 1 {
                 sum ^= self.columns[bit];
             }
-            rest >>= 1;
+            rest <<= 1;
             bit += 1;
         }
         sum
     }
 }
 
-/// The digits that a pixel at (`x`, `y`) in its block adds to all its points: the upper 16 of the first number in the
-/// upper half, of the second in the lower half. Only the lower 5 bits of the coordinates count. Ten ANDs and XORs.
+/// Where a pixel lies in its block, as masks: word k has the lower half set if bit k of x is, the upper half if bit k of y
+/// is.
+pub type Place = [u64; BLOCK_LOG2 as usize];
+
+/// Of the lower 5 bits of the coordinates; and the same for x and y swapped.
 #[inline]
 #[must_use]
-pub const fn digits(columns: &Columns, x: u32, y: u32) -> u32 {
-    let mut sum = 0;
+pub const fn places(x: u32, y: u32) -> [Place; 2] {
+    let both = (y as u64) << 32 | x as u64;
+    let mut places = [[0; BLOCK_LOG2 as usize]; 2];
     let mut bit = 0;
-    while bit < BLOCK_LOG2 {
-        sum ^= columns[bit as usize] & (x >> bit & 1).wrapping_neg();
-        sum ^= columns[(BLOCK_LOG2 + bit) as usize] & (y >> bit & 1).wrapping_neg();
+    while bit < BLOCK_LOG2 as usize {
+        let word = (both >> bit & 0x1_0000_0001) * 0xffff_ffff;
+        places[0][bit] = word;
+        places[1][bit] = word.rotate_left(32);
         bit += 1;
     }
-    sum
+    places
+}
+
+/// The digits that a pixel at a place in its block adds to all its points: the upper 16 of the first number in the
+/// upper half, of the second in the lower half. Five ANDs, six XORs.
+#[inline]
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
+pub const fn digits(columns: &Columns, place: &Place) -> u32 {
+    let mut sum = 0;
+    let mut bit = 0;
+    while bit < BLOCK_LOG2 as usize {
+        sum ^= ((columns[2 * bit + 1] as u64) << 32 | columns[2 * bit] as u64) & place[bit];
+        bit += 1;
+    }
+    (sum >> 32) as u32 ^ sum as u32
 }

@@ -53,6 +53,31 @@ fn a_fill_is_the_draws_from_any_index_on() {
 }
 
 #[test]
+fn a_row_is_the_draws_of_its_pixels() {
+    fn check<const D: usize>(name: &str, draw: impl Fn(u32) -> [u32; D], fill: impl Fn(u32, &mut [[u32; D]])) {
+        // Inside blocks of any size, across their borders, and across the end of the coordinates.
+        for (x, length) in [(0, 0), (7, 1), (0, 70), (29, 5), (u32::MAX - 40, 80)] {
+            let mut samples = vec![[0; D]; length];
+            fill(x, &mut samples);
+            let drawn = (0..length as u32).map(|k| draw(x.wrapping_add(k)));
+            assert!(samples.into_iter().eq(drawn), "{name}: {length} samples of {D} numbers from {x} on");
+        }
+    }
+    for (spp, index, y, frame) in [(1, 0, 5, 0), (4, 3, 31, 9), (7, 300, u32::MAX, u32::MAX)] {
+        for_every_sampler!(3, spp, |name, sampler| {
+            let at = |x| sampler.pixel(x, y, frame);
+            check::<1>(name, |x| at(x).draw_fx(4, index), |x, out| sampler.fill_row_fx(x, y, frame, 4, index, out));
+            check::<2>(name, |x| at(x).draw_fx(4, index), |x, out| sampler.fill_row_fx(x, y, frame, 4, index, out));
+            check::<3>(name, |x| at(x).draw_fx(4, index), |x, out| sampler.fill_row_fx(x, y, frame, 4, index, out));
+            check::<4>(name, |x| at(x).draw_fx(4, index), |x, out| sampler.fill_row_fx(x, y, frame, 4, index, out));
+            let mut floats = [[0.0; 3]; 40];
+            sampler.fill_row(2, y, frame, 4, index, &mut floats);
+            assert!((2..42).map(|x| at(x).draw(4, index)).eq(floats), "{name}");
+        });
+    }
+}
+
+#[test]
 fn every_argument_is_defined() {
     for (seed, spp) in EXTREMES.into_iter().flat_map(|seed| [4, 7, 0x8000_0000, u32::MAX].map(|spp| (seed, spp))) {
         for_every_sampler!(seed, spp, |name, sampler| {

@@ -23,7 +23,7 @@ const HEAD: &str = "\
 # The linear pixel order (src/linear.rs), found by src/bake/columns: words of 32 bits in hexadecimal.
 # First two words for every bit of a sample's number: the digits that it flips in the first and the second number.
 # Then, for 1, 2, 4, ..., 256 samples and for any number, sets of columns, a line each: the digits that the bits of x and
-# of y flip, the first number's in the upper half. The seal is the FNV-1a digest of all words.
+# of y flip, in turn, the first number's in the upper half. The seal is the FNV-1a digest of all words.
 # After the search was changed on purpose, find them anew and note the change of values in CHANGELOG.md:
 #     cargo test --release --test columns -- --ignored write_linear_order
 ";

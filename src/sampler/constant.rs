@@ -1,6 +1,7 @@
 //! The fully correlated control: the same samples in every pixel.
 
 use super::white::{White, WhitePixel};
+use super::{row_by_pixels, row_shape};
 
 /// One set of Owen-scrambled Sobol points for the whole image: no noise, all bias, seen as banding and ghosting.
 #[derive(Clone, Copy, Debug)]
@@ -31,3 +32,6 @@ impl Constant {
         self.points.pixel(0, 0, frame)
     }
 }
+
+row_shape!(impl[] Constant);
+row_by_pixels!(impl[] Constant);

@@ -1,6 +1,6 @@
 //! Georgiev and Fajardo 2016: one pattern for the image, one offset a pixel from a blue-noise mask.
 
-use super::{call_shape, domain_seed, spread};
+use super::{Pair, Single, call_shape, domain_seed, row_by_pixels, row_shape, spread};
 use crate::mask::{ScalarMask, VectorMask};
 use crate::{hash, shift, sobol, strata, torus};
 
@@ -165,9 +165,9 @@ struct DitheredSingle {
     offset: u32,
 }
 
-impl DitheredSingle {
+impl Single for DitheredSingle {
     #[inline]
-    const fn first(self, index: u32) -> u32 {
+    fn first(self, index: u32) -> u32 {
         if self.order.strata == 0 {
             return sobol::dimension_0(hash::shuffle(index, self.order.seed)).wrapping_add(self.offset);
         }
@@ -183,7 +183,7 @@ struct DitheredPair {
     offset: [u32; 2],
 }
 
-impl DitheredPair {
+impl Pair for DitheredPair {
     #[inline]
     fn at(self, index: u32) -> [u32; 2] {
         if self.order.strata == 0 {
@@ -195,3 +195,5 @@ impl DitheredPair {
 }
 
 call_shape!(impl['a, const S: usize] DitheredPixel<'a, S>);
+row_shape!(impl['a, const S: usize] Dithered<'a, S>);
+row_by_pixels!(impl['a, const S: usize] Dithered<'a, S>);

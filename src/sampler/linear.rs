@@ -1,8 +1,8 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{call_shape, domain_seed, spread};
+use super::{Pair, Single, call_shape, domain_word, each_rev, halves, row_shape};
 use crate::hash;
-use crate::linear::{self, BLOCK_LOG2, Order, SETS};
+use crate::linear::{self, BLOCK_LOG2, Columns, Order, Place, SETS};
 use crate::tables::LINEAR_ORDER;
 
 /// Blue-noise error at every number of samples, from points that are better than Owen-scrambled ones: the
@@ -17,7 +17,7 @@ use crate::tables::LINEAR_ORDER;
 pub struct Sampler {
     order: &'static Order,
     /// Bits of a sample's number that a pixel may flip.
-    flips: u32,
+    flips_rev: u32,
     seed: u32,
 }
 
@@ -29,7 +29,7 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub const fn new(seed: u32) -> Self {
-        Self { order: &LINEAR_ORDER.progressive, flips: 0, seed }
+        Self { order: &LINEAR_ORDER.progressive, flips_rev: 0, seed }
     }
 
     /// `spp` samples per pixel: bluer than by [`new`](Self::new) once all are drawn, and less so before.
@@ -40,7 +40,7 @@ impl Sampler {
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
         match LINEAR_ORDER.known(spp) {
-            Some(order) => Self { order, flips: spp.saturating_sub(1), seed },
+            Some(order) => Self { order, flips_rev: spp.saturating_sub(1).reverse_bits(), seed },
             None => Self::new(seed),
         }
     }
@@ -49,19 +49,110 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> LinearPixel {
-        let seed = hash::combine(self.seed, frame);
-        LinearPixel { order: self.order, flips: self.flips, seed, x, y }
+        let (seed, x, y) = self.place(x, y, frame);
+        let block = block(seed, x, y);
+        LinearPixel {
+            order: self.order,
+            flips_rev: self.flips_rev,
+            block,
+            own: own(block, x, y),
+            places: linear::places(x & INSIDE, y & INSIDE),
+        }
     }
+
+    /// The seed of a frame, and where a pixel lies: the blocks of every seed and frame begin elsewhere.
+    #[inline]
+    #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
+    const fn place(&self, x: u32, y: u32, frame: u32) -> (u64, u32, u32) {
+        let seed = hash::mix_64((self.seed as u64) << 32 | frame as u64);
+        (seed, x.wrapping_add(seed as u32), y.wrapping_add((seed >> 32) as u32))
+    }
+
+    /// What a sample of a row of pixels has in a pair, pixel by pixel: inside a block the words are linear in x.
+    #[inline]
+    fn words_of_row<T>(
+        &self,
+        [x, y, frame]: [u32; 3],
+        domain: u32,
+        pad: u32,
+        index: u32,
+        mut targets: impl Iterator<Item = T>,
+        put: impl Fn(T, u64),
+    ) {
+        let index_rev = index.reverse_bits();
+        let (seed, mut x, y) = self.place(x, y, frame);
+        let mut next = targets.next();
+        while next.is_some() {
+            let block = block(seed, x, y);
+            let shared = Shared::new(self.order, block, domain, pad);
+            let columns = shared.columns_of_x();
+            let mut key = shared.pair(&linear::places(x & INSIDE, y & INSIDE), 0, 0).key;
+            while let Some(target) = next {
+                let LinearPair { swap, shuffle, flip_rev, .. } =
+                    shared.pair(&[[0; _]; 2], own(block, x, y), self.flips_rev);
+                put(target, LinearPair { key, swap, shuffle, flip_rev }.word(index_rev));
+                x = x.wrapping_add(1);
+                next = targets.next();
+                if x & INSIDE == 0 {
+                    break;
+                }
+                key ^= columns[(x.trailing_zeros() & 7) as usize];
+            }
+        }
+    }
+
+    #[inline]
+    fn pairs_of_row<T>(
+        &self,
+        pixel: [u32; 3],
+        domain: u32,
+        pad: u32,
+        index: u32,
+        targets: impl Iterator<Item = T>,
+        put: impl Fn(T, [u32; 2]),
+    ) {
+        self.words_of_row(pixel, domain, pad, index, targets, |target, word| put(target, halves(word)));
+    }
+
+    #[inline]
+    fn singles_of_row<T>(
+        &self,
+        pixel: [u32; 3],
+        domain: u32,
+        pad: u32,
+        index: u32,
+        targets: impl Iterator<Item = T>,
+        put: impl Fn(T, u32),
+    ) {
+        self.words_of_row(pixel, domain, pad, index, targets, |target, word| put(target, halves(word)[0]));
+    }
+}
+
+/// Coordinates inside a block.
+const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
+
+/// The hash of a block.
+const fn block(seed: u64, x: u32, y: u32) -> u64 {
+    hash::mix_64(seed ^ ((y >> BLOCK_LOG2) as u64) << 32 ^ (x >> BLOCK_LOG2) as u64)
+}
+
+/// The hash of a pixel.
+#[expect(clippy::cast_possible_truncation, reason = "half of a hash")]
+const fn own(block: u64, x: u32, y: u32) -> u32 {
+    hash::mix(block as u32 ^ ((y & INSIDE) << BLOCK_LOG2 | x & INSIDE))
 }
 
 /// One pixel of [`Sampler`].
 #[derive(Clone, Copy, Debug)]
 pub struct LinearPixel {
     order: &'static Order,
-    flips: u32,
-    seed: u32,
-    x: u32,
-    y: u32,
+    flips_rev: u32,
+    /// A hash of the block.
+    block: u64,
+    /// A hash of the pixel.
+    own: u32,
+    /// Inside the block, and with x and y swapped.
+    places: [Place; 2],
 }
 
 impl LinearPixel {
@@ -72,23 +163,61 @@ impl LinearPixel {
 
     #[inline]
     const fn pair(self, domain: u32, pad: u32) -> LinearPair {
-        const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
-        let seed = domain_seed(self.seed, domain, pad);
-        // Blocks of every domain begin elsewhere.
-        let (x, y) = (self.x.wrapping_add(seed & INSIDE), self.y.wrapping_add(seed >> BLOCK_LOG2 & INSIDE));
-        let random = hash::mix(seed ^ spread(x >> BLOCK_LOG2, y >> BLOCK_LOG2));
-        // A block has one of the sets, transposed or not, its numbers swapped or not: by upper bits of a product with an
-        // odd constant of no meaning.
-        let choice = random.wrapping_mul(0xd6e8_feb5);
-        let set = ((choice as u64 * SETS as u64) >> 32) as usize;
-        let (u, v) = if choice >> 16 & 1 == 1 { (y & INSIDE, x & INSIDE) } else { (x & INSIDE, y & INSIDE) };
-        let digits = random ^ linear::digits(&self.order[set], u, v);
-        let low = hash::mix(seed);
-        let key = ((digits >> 16) as u64) << 48 | ((low >> 16) as u64) << 32 | (digits << 16 | low & 0xffff) as u64;
-        // All pixels of a block in one order of samples would keep two domains in step over it.
-        let shuffle = hash::mix(seed ^ spread(self.x, self.y));
-        LinearPair { key, swap: choice >> 12 & 32, shuffle, flip: hash::other(shuffle) >> 24 & self.flips }
+        Shared::new(self.order, self.block, domain, pad).pair(&self.places, self.own, self.flips_rev)
     }
+}
+
+/// What all pixels of a block have in the pair of a domain: one of the sets, transposed or not, its numbers swapped or
+/// not, and a digital shift.
+#[derive(Clone, Copy)]
+struct Shared {
+    columns: &'static Columns,
+    shift: u64,
+    /// Bits of no weight choose.
+    choice: u32,
+}
+
+impl Shared {
+    #[inline]
+    const fn new(order: &'static Order, block: u64, domain: u32, pad: u32) -> Self {
+        let shift = domain_word(block, domain, pad);
+        let choice = (shift >> 32) as u32;
+        Self { columns: &order[choice as usize % SETS], shift, choice }
+    }
+
+    #[inline]
+    const fn transposed(self) -> usize {
+        self.choice as usize >> 3 & 1
+    }
+
+    /// What one pixel has.
+    #[inline]
+    #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
+    const fn pair(self, places: &[Place; 2], own: u32, flips_rev: u32) -> LinearPair {
+        let key = self.shift ^ spread(linear::digits(self.columns, &places[self.transposed()]));
+        // All pixels of a block in one order of samples would keep two domains in step over it.
+        let random = ((self.choice ^ own) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let (shuffle, flip_rev) = ((random >> 32) as u32, random as u32 & flips_rev);
+        LinearPair { key, swap: self.choice << 1 & 32, shuffle, flip_rev }
+    }
+
+    /// What the key of a pixel differs by from that of its left neighbour, in a block, by the trailing zeros of x.
+    #[inline]
+    const fn columns_of_x(self) -> [u64; 8] {
+        let mut columns = [0; 8];
+        let (mut sum, mut bit) = (0, 0);
+        while bit < BLOCK_LOG2 as usize {
+            sum ^= spread(self.columns[2 * bit + self.transposed()]);
+            columns[bit] = sum;
+            bit += 1;
+        }
+        columns
+    }
+}
+
+/// Digits where a key has them.
+const fn spread(digits: u32) -> u64 {
+    (digits as u64 >> 16) << 48 | (digits as u64 & 0xffff) << 16
 }
 
 /// The pair of a domain.
@@ -97,22 +226,41 @@ struct LinearPair {
     key: u64,
     swap: u32,
     shuffle: u32,
-    flip: u32,
+    flip_rev: u32,
 }
 
 impl LinearPair {
+    /// A sample, both numbers in one word, the first in the upper half.
     #[inline]
-    #[expect(clippy::cast_possible_truncation, reason = "the lower half of the word")]
-    const fn at(self, index: u32) -> [u32; 2] {
-        let index = hash::shuffle_rev(index.reverse_bits(), self.shuffle).reverse_bits() ^ self.flip;
-        let point = (LINEAR_ORDER.sequence.packed(index) ^ self.key).rotate_left(self.swap);
-        [(point >> 32) as u32, point as u32]
+    const fn word(self, index_rev: u32) -> u64 {
+        let index_rev = if index_rev == 0 { 0 } else { hash::shuffle_rev(index_rev, self.shuffle) } ^ self.flip_rev;
+        (LINEAR_ORDER.sequence.packed_rev(index_rev) ^ self.key).rotate_left(self.swap)
+    }
+}
+
+impl Pair for LinearPair {
+    #[inline]
+    fn at(self, index: u32) -> [u32; 2] {
+        halves(self.word(index.reverse_bits()))
     }
 
     #[inline]
-    const fn first(self, index: u32) -> u32 {
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+        each_rev(first, targets, |index_rev| halves(self.word(index_rev)), put);
+    }
+}
+
+impl Single for LinearPair {
+    #[inline]
+    fn first(self, index: u32) -> u32 {
         self.at(index)[0]
+    }
+
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+        each_rev(first, targets, |index_rev| halves(self.word(index_rev))[0], put);
     }
 }
 
 call_shape!(impl[] LinearPixel);
+row_shape!(impl[] Sampler);

@@ -21,6 +21,7 @@
 mod constant;
 mod dithered;
 mod linear;
+mod row;
 mod white;
 mod zorder;
 
@@ -30,9 +31,42 @@ pub use linear::{LinearPixel, Sampler};
 pub use white::{White, WhitePixel};
 pub use zorder::{ZOrder, ZOrderPixel};
 
-/// The public draws of a pixel, made from its two private ones, `single(domain, pad)` and `pair(domain, pad)`, where
-/// `pad` is 1 for the second pair and else 0. Each returns all that does not depend on the index, a small value with
-/// `first(index) -> u32` for a single dimension and `at(index) -> [u32; 2]` for a pair.
+use row::{row_by_pixels, row_shape};
+
+/// A single dimension of a domain in one pixel: all that does not depend on the index.
+trait Single: Copy {
+    /// Its value at an index.
+    fn first(self, index: u32) -> u32;
+
+    /// Its values from index `first` on, one for each target.
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+        let mut index = first;
+        for target in targets {
+            put(target, self.first(index));
+            index = index.wrapping_add(1);
+        }
+    }
+}
+
+/// A pair of dimensions of a domain in one pixel: all that does not depend on the index.
+trait Pair: Copy {
+    /// Its point at an index.
+    fn at(self, index: u32) -> [u32; 2];
+
+    /// Its points from index `first` on, one for each target.
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+        let mut index = first;
+        for target in targets {
+            put(target, self.at(index));
+            index = index.wrapping_add(1);
+        }
+    }
+}
+
+/// The public draws of a pixel, made from its two private ones, `single(domain, pad)`, a [`Single`], and
+/// `pair(domain, pad)`, a [`Pair`], where `pad` is 1 for the second pair and else 0.
 ///
 /// A macro and not a trait, so that a user needs no import and the docs of each sampler are whole.
 macro_rules! call_shape {
@@ -43,7 +77,7 @@ macro_rules! call_shape {
             /// From D = 2 on, components 0 and 1 are the optimised pair of the domain, 2 and 3 a padded second pair; a
             /// component without a partner is drawn as a single dimension and need not equal the first of a pair. This is
             /// the definition; [`draw`](Self::draw) is derived from it. Number domains 0, 1, 2, …
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn draw_fx<const D: usize>(self, domain: u32, index: u32) -> [u32; D] {
                 const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: draw more from further domains") };
@@ -117,27 +151,54 @@ macro_rules! fill {
         }
     }};
     (@single $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
-        let single = $pixel.single($domain, $k / 2);
-        let mut index = $first;
-        for sample in $samples.iter_mut() {
-            [sample[$k]] = [single.first(index)].map($convert);
-            index = index.wrapping_add(1);
-        }
+        let put = |sample: &mut [_; D], value| [sample[$k]] = [value].map($convert);
+        $crate::sampler::Single::each($pixel.single($domain, $k / 2), $first, $samples.iter_mut(), put);
     };
     (@pair $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
-        let pair = $pixel.pair($domain, $k / 2);
-        let mut index = $first;
-        for sample in $samples.iter_mut() {
-            [sample[$k], sample[$k + 1]] = pair.at(index).map($convert);
-            index = index.wrapping_add(1);
-        }
+        let put = |sample: &mut [_; D], point: [u32; 2]| [sample[$k], sample[$k + 1]] = point.map($convert);
+        $crate::sampler::Pair::each($pixel.pair($domain, $k / 2), $first, $samples.iter_mut(), put);
     };
 }
 use fill;
 
+/// `value` of the bit-reversed indices from `first` on, one for each target. A reversal costs as much as a sample: one for
+/// sixteen.
+#[inline]
+fn each_rev<T, V>(first: u32, targets: impl ExactSizeIterator<Item = T>, value: impl Fn(u32) -> V, put: impl Fn(T, V)) {
+    static LOWER: [u32; 16] = {
+        let mut reversed = [0; 16];
+        let mut k = 0u32;
+        while k < 16 {
+            reversed[k as usize] = k.reverse_bits();
+            k += 1;
+        }
+        reversed
+    };
+    let mut index = first;
+    let mut upper = (index & !15).reverse_bits();
+    for target in targets {
+        put(target, value(upper | LOWER[index as usize & 15]));
+        index = index.wrapping_add(1);
+        if index & 15 == 0 {
+            upper = index.reverse_bits();
+        }
+    }
+}
+
+/// The upper half of a word and the lower one.
+#[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
+const fn halves(word: u64) -> [u32; 2] {
+    [(word >> 32) as u32, word as u32]
+}
+
 /// The seed of a domain's numbers, one for each of its two pairs.
 const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
     crate::hash::combine(seed, padded(domain, pad))
+}
+
+/// The 64 bits of a domain's own: times an odd number, which is a constant if the domain is.
+const fn domain_word(seed: u64, domain: u32, pad: u32) -> u64 {
+    seed.wrapping_mul(crate::hash::mix_64(padded(domain, pad) as u64) | 1)
 }
 
 /// A domain of its own for a second pair: by a constant without a pattern, so that it meets no domain in use.

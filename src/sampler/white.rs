@@ -1,6 +1,6 @@
 //! The uncorrelated control: what every renderer has without this crate.
 
-use super::{call_shape, domain_seed};
+use super::{Pair, Single, call_shape, domain_seed, each_rev, row_by_pixels, row_shape};
 use crate::{hash, sobol};
 
 /// Owen-scrambled Sobol points under a seed of every pixel's own: the best per-pixel error, spread as white noise.
@@ -43,32 +43,53 @@ pub struct WhitePixel {
 
 impl WhitePixel {
     #[inline]
-    const fn single(self, domain: u32, pad: u32) -> WhitePair {
+    pub(super) const fn single(self, domain: u32, pad: u32) -> WhitePair {
         self.pair(domain, pad)
     }
 
     #[inline]
-    const fn pair(self, domain: u32, pad: u32) -> WhitePair {
+    pub(super) const fn pair(self, domain: u32, pad: u32) -> WhitePair {
         WhitePair { seed: domain_seed(self.seed, domain, pad) }
     }
 }
 
 /// The pair of a domain.
 #[derive(Clone, Copy)]
-struct WhitePair {
+pub(super) struct WhitePair {
     seed: u32,
 }
 
 impl WhitePair {
     #[inline]
-    const fn at(self, index: u32) -> [u32; 2] {
-        sobol::owen_point(hash::shuffle(index, self.seed), self.seed)
+    const fn point(self, index_rev: u32) -> [u32; 2] {
+        sobol::owen_point(hash::shuffle_rev(index_rev, self.seed).reverse_bits(), self.seed)
+    }
+}
+
+impl Pair for WhitePair {
+    #[inline]
+    fn at(self, index: u32) -> [u32; 2] {
+        self.point(index.reverse_bits())
     }
 
     #[inline]
-    const fn first(self, index: u32) -> u32 {
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+        each_rev(first, targets, |index_rev| self.point(index_rev), put);
+    }
+}
+
+impl Single for WhitePair {
+    #[inline]
+    fn first(self, index: u32) -> u32 {
         self.at(index)[0]
+    }
+
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+        each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
     }
 }
 
 call_shape!(impl[] WhitePixel);
+row_shape!(impl[] White);
+row_by_pixels!(impl[] White);

@@ -1,6 +1,6 @@
 //! Ahmed and Wonka 2020: one sequence for the image, dealt to the pixels along a shuffled Z curve.
 
-use super::{call_shape, padded};
+use super::{Pair, Single, call_shape, domain_word, each_rev, halves, row_by_pixels, row_shape};
 use crate::{hash, sobol, zorder};
 
 /// Z-order sampling: all pixels share one Owen-scrambled (0, 2)-sequence, so that the points of neighbours complete each
@@ -35,17 +35,19 @@ impl ZOrder {
     /// The samples of one pixel in one frame.
     #[inline]
     #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "half of a hash")]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> ZOrderPixel {
         let block = (x >> 16) | (y & 0xffff_0000);
-        let seed = hash::combine(hash::combine(self.seed, frame), block);
-        ZOrderPixel { seed, place_rev: hash::laine_karras_4(zorder::morton_16(x, y).reverse_bits(), seed) }
+        let seed = hash::mix_64(hash::mix_64((self.seed as u64) << 32 | frame as u64) ^ block as u64);
+        ZOrderPixel { seed, place_rev: hash::laine_karras_4(zorder::morton_16(x, y).reverse_bits(), seed as u32) }
     }
 }
 
 /// One pixel of [`ZOrder`].
 #[derive(Clone, Copy, Debug)]
 pub struct ZOrderPixel {
-    seed: u32,
+    /// Of a square of 65536².
+    seed: u64,
     /// Place on the curve, its squares shuffled; bit-reversed.
     place_rev: u32,
 }
@@ -59,7 +61,7 @@ impl ZOrderPixel {
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
     const fn pair(self, domain: u32, pad: u32) -> ZOrderPair {
-        let seeds = hash::mix_64((self.seed as u64) << 32 | (padded(domain, pad)) as u64);
+        let seeds = domain_word(self.seed, domain, pad);
         // Without an order of its own, a domain would fill its strata over the pixels in step with the others.
         let place_rev = hash::laine_karras(self.place_rev, (seeds >> 16) as u32);
         // Neighbours differ in the upper bits alone: the upper half of a product spreads them.
@@ -80,27 +82,53 @@ struct ZOrderPair {
 
 impl ZOrderPair {
     #[inline]
-    #[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
-    const fn at(self, index: u32) -> [u32; 2] {
-        let index = self.index(index);
-        let x = hash::laine_karras(index, self.seeds[0]);
-        let y = hash::laine_karras(sobol::dimension_1_rev(index), self.seeds[1]);
+    const fn point(self, index_rev: u32) -> [u32; 2] {
+        let place = self.place(index_rev);
+        let x = hash::laine_karras(place, self.seeds[0]);
+        let y = hash::laine_karras(sobol::dimension_1_rev(place), self.seeds[1]);
         // Two reversals for the price of one.
-        let both = ((y as u64) << 32 | x as u64).reverse_bits();
-        [(both >> 32) as u32, both as u32]
+        let [y, x] = halves(((x as u64) << 32 | y as u64).reverse_bits());
+        [x, y]
     }
 
     /// The first number alone.
     #[inline]
-    const fn first(self, index: u32) -> u32 {
-        hash::laine_karras(self.index(index), self.seeds[0]).reverse_bits()
+    const fn number(self, index_rev: u32) -> u32 {
+        hash::laine_karras(self.place(index_rev), self.seeds[0]).reverse_bits()
     }
 
     /// On the Sobol sequence. The pairs of a pixel see the same first 2ᵏ samples in orders of their own.
     #[inline]
-    const fn index(self, index: u32) -> u32 {
-        hash::shuffle_rev(index.reverse_bits(), self.order).reverse_bits() ^ self.first
+    const fn place(self, index_rev: u32) -> u32 {
+        let index = if index_rev == 0 { 0 } else { hash::shuffle_rev(index_rev, self.order).reverse_bits() };
+        index ^ self.first
+    }
+}
+
+impl Pair for ZOrderPair {
+    #[inline]
+    fn at(self, index: u32) -> [u32; 2] {
+        self.point(index.reverse_bits())
+    }
+
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+        each_rev(first, targets, |index_rev| self.point(index_rev), put);
+    }
+}
+
+impl Single for ZOrderPair {
+    #[inline]
+    fn first(self, index: u32) -> u32 {
+        self.number(index.reverse_bits())
+    }
+
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+        each_rev(first, targets, |index_rev| self.number(index_rev), put);
     }
 }
 
 call_shape!(impl[] ZOrderPixel);
+row_shape!(impl[] ZOrder);
+row_by_pixels!(impl[] ZOrder);

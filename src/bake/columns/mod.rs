@@ -29,7 +29,7 @@ pub mod rows;
 use rayon::prelude::*;
 
 use crate::bake::linear_order::LinearOrder;
-use crate::linear::{Columns, ORDERS, Order, SETS};
+use crate::linear::{BLOCK_LOG2, Columns, ORDERS, Order, SETS};
 use anneal::{Anneal, Map};
 use net::{Duals, Rows};
 use power::Power;
@@ -114,7 +114,8 @@ fn table(duals: &[Duals], maps: &[Map], responses: &Responses) -> String {
 
 /// From digits to words: the transpose.
 fn columns(map: &Map) -> Columns {
-    core::array::from_fn(|bit| {
+    core::array::from_fn(|place| {
+        let bit = place / 2 + place % 2 * BLOCK_LOG2 as usize;
         let digits = |dimension: usize| {
             (0..net::ROWS).fold(0, |word: u32, j| word | (u32::from(map[dimension][j]) >> bit & 1) << (15 - j))
         };
