@@ -20,13 +20,17 @@
 
 mod constant;
 mod dithered;
+mod keyed;
 mod linear;
+mod rank1;
 mod white;
 mod zorder;
 
 pub use constant::Constant;
 pub use dithered::{Dithered, DitheredPixel};
+pub use keyed::{Keyed, KeyedPixel};
 pub use linear::{LinearPixel, Sampler};
+pub use rank1::{Rank1, Rank1Pixel};
 pub use white::{White, WhitePixel};
 pub use zorder::{ZOrder, ZOrderPixel};
 
