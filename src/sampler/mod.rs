@@ -47,7 +47,7 @@ macro_rules! call_shape {
             /// From D = 2 on, components 0 and 1 are the optimised pair of the domain, 2 and 3 a padded second pair; a
             /// component without a partner is drawn as a single dimension and need not equal the first of a pair. This is
             /// the definition; [`draw`](Self::draw) is derived from it. Number domains 0, 1, 2, …
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn draw_fx<const D: usize>(self, domain: u32, index: u32) -> [u32; D] {
                 const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: draw more from further domains") };
@@ -66,7 +66,7 @@ macro_rules! call_shape {
             }
 
             /// Sample `index` for purpose `domain`: D = 1..4 numbers in [0, 1). More is a compile error.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
                 $crate::unit::to_f32s(self.draw_fx(domain, index))
@@ -140,16 +140,19 @@ macro_rules! fill {
 use fill;
 
 /// The seed of a domain's numbers, one for each of its two pairs.
+#[inline(always)]
 const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
     crate::hash::combine(seed, padded(domain, pad))
 }
 
 /// A domain of its own for a second pair: by a constant without a pattern, so that it meets no domain in use.
+#[inline(always)]
 const fn padded(domain: u32, pad: u32) -> u32 {
     domain ^ pad.wrapping_mul(0x5bd1_e995)
 }
 
 /// A number that differs between the pixels of a screen, to be hashed with a seed: two odd constants of no meaning.
+#[inline(always)]
 const fn spread(x: u32, y: u32) -> u32 {
     x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77)
 }

@@ -63,12 +63,13 @@ pub struct Rank1Pixel<'a, const S: usize = 64> {
 }
 
 impl<const S: usize> Rank1Pixel<'_, S> {
-    #[inline]
+    // Inlined for certain: all but the look-up is the same for all pixels, which a compiler sees only then.
+    #[inline(always)]
     fn single(self, domain: u32, pad: u32) -> Rank1Pair {
         self.pair(domain, pad)
     }
 
-    #[inline]
+    #[inline(always)]
     fn pair(self, domain: u32, pad: u32) -> Rank1Pair {
         let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, VectorMask::<2, S>::SIZE_LOG2);
         let shift = self.sampler.mask.value_fx(self.x.wrapping_add(dx), self.y.wrapping_add(dy));
@@ -84,7 +85,7 @@ struct Rank1Pair {
 }
 
 impl Rank1Pair {
-    #[inline]
+    #[inline(always)]
     const fn at(self, index: u32) -> [u32; 2] {
         // φ of the index, which is what `lattice::extensible` multiplies.
         let phi = hash::shuffle_rev(index.reverse_bits(), self.order);
@@ -92,7 +93,7 @@ impl Rank1Pair {
         [phi.wrapping_mul(lattice::EXEW[0]).wrapping_add(x), phi.wrapping_mul(lattice::EXEW[1]).wrapping_add(y)]
     }
 
-    #[inline]
+    #[inline(always)]
     const fn first(self, index: u32) -> u32 {
         self.at(index)[0]
     }
