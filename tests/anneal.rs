@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use bluedither::{effort, hash, lattice, linear, sobol, strata};
+use bluedither::{effort, lattice, linear, sobol, strata};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 

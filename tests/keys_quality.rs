@@ -14,7 +14,7 @@ use analysis::error::ErrorImage;
 use analysis::integrands::{Integrand2, evaluation_half_plane_2d, evaluation_smooth_2d};
 use analysis::random::Random;
 use bake::recipe::{Kind, Recipe};
-use bluedither::{Keyed, Keys, Rank1, VectorMask, White, effort, hash, lattice, linear, sobol, strata, unit};
+use bluedither::{Keyed, Keys, Rank1, VectorMask, White, effort, lattice, linear, sobol, strata, unit};
 use effort::Effort;
 
 const SIZE: usize = 64;
@@ -75,17 +75,15 @@ fn check_keys(kind: Kind, effort: Effort, rows: &[(u32, [f64; 2])]) {
 /// The published tables of 2019, one for each count, read .332/.498, .490/.635, .843/.773 and .802/.808.
 #[test]
 fn keys_at_normal_effort() {
-    check_keys(
-        Kind::Keys,
-        Effort::Normal,
-        &[(1, [0.43, 0.60]), (4, [0.43, 0.64]), (16, [0.40, 0.72]), (64, [0.33, 0.70])],
-    );
+    check_keys(Kind::Keys, Effort::Normal, &[(1, [0.40, 0.61]), (4, [0.38, 0.64])]);
+    check_keys(Kind::Keys4, Effort::Normal, &[(4, [0.30, 0.58])]);
 }
 
 #[test]
-fn keys_of_one_count_at_normal_effort() {
-    check_keys(Kind::Keys4, Effort::Normal, &[(4, [0.40, 0.62])]);
-    check_keys(Kind::Keys16, Effort::Normal, &[(16, [0.40, 0.65])]);
+#[ignore = "many samples: some ten seconds"]
+fn keys_at_many_samples() {
+    check_keys(Kind::Keys, Effort::Normal, &[(16, [0.40, 0.72]), (64, [0.30, 0.70])]);
+    check_keys(Kind::Keys16, Effort::Normal, &[(16, [0.27, 0.63])]);
 }
 
 #[test]
@@ -93,7 +91,7 @@ fn lattices_at_normal_effort() {
     let mask =
         VectorMask::<2, SIZE>::from_slice(&pairs(&baked(Kind::Lattice, Effort::Normal))).expect("ranks of a mask");
     let sampler = Rank1::with_mask(&mask, 7);
-    check("lattice, normal", &[(1, [0.43, 0.58]), (4, [0.62, 0.74]), (16, [1.30, 0.87])], |x, y, i| {
+    check("lattice, normal", &[(1, [0.43, 0.58]), (4, [0.62, 0.74])], |x, y, i| {
         sampler.pixel(x, y, 1).draw_fx::<2>(3, i)
     });
 }
@@ -105,8 +103,6 @@ fn random_keys_read_one() {
     let digits: Vec<[u16; 2]> = (0..SIZE * SIZE).map(|_| [random.bits_32() as u16, random.bits_32() as u16]).collect();
     let keys = Keys::<SIZE>::from_slice(&digits).expect("one for every pixel");
     let sampler = Keyed::with_keys(&keys, 7);
-    for spp in [1, 4] {
-        let [smooth, half] = figures(spp, |x, y, i| sampler.pixel(x, y, 1).draw_fx::<2>(3, i));
-        assert!((smooth[0] - 1.0).abs() < 0.15 && (half[0] - 1.0).abs() < 0.15, "{spp} spp: {smooth:.3?} {half:.3?}");
-    }
+    let [smooth, half] = figures(1, |x, y, i| sampler.pixel(x, y, 1).draw_fx::<2>(3, i));
+    assert!((smooth[0] - 1.0).abs() < 0.15 && (half[0] - 1.0).abs() < 0.15, "{smooth:.3?} {half:.3?}");
 }

@@ -7,7 +7,7 @@
 use core::cmp::Reverse;
 use std::path::PathBuf;
 
-use bluedither::{effort, hash, lattice, linear, sobol, strata};
+use bluedither::{effort, lattice, linear, sobol, strata};
 
 #[path = "../src/bake/mod.rs"]
 mod bake;

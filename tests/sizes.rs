@@ -3,7 +3,7 @@
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "a test on the host")]
 #![allow(unreachable_pub, dead_code, reason = "shares the bake with build.rs")]
 
-use bluedither::{ScalarMask, VectorMask, effort, hash, lattice, linear, sobol, strata};
+use bluedither::{ScalarMask, VectorMask, effort, lattice, linear, sobol, strata};
 
 #[path = "../src/bake/mod.rs"]
 mod bake;

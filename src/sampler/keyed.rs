@@ -12,6 +12,10 @@ use crate::{hash, keys::Keys, torus};
 /// costs a pixel one look-up and two XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points;
 /// from the 257th on another look-up for each bit set above the eighth. Drawn row by row that is as fast as the tables of
 /// 2019.
+///
+/// A tile has few blocks of the linear order, which has more of a pattern than an annealed mask, and shows it again every
+/// 64 pixels; the first samples of two domains or frames may be correlated, by up to one half where they read the tile at
+/// places that are alike.
 #[derive(Clone, Copy, Debug)]
 pub struct Keyed<'a, const S: usize = 64> {
     keys: &'a Keys<S>,
