@@ -17,6 +17,9 @@ mod effort;
 #[path = "src/hash.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod hash;
+#[path = "src/lattice.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod lattice;
 #[path = "src/linear.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod linear;

@@ -41,6 +41,8 @@
 //! | no room for 4 KiB of constants | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
+//! | a renderer that stops when it likes, often after one sample, and 16 KB | [`Keyed`] (feature `keys-64`) |
+//! | a rank-1 lattice, up to 4 samples per pixel | [`Rank1`] (feature `lattice-64`) |
 //! | a picture without smooth parts | [`White`] |
 //! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
 //! | a shader | `bytes()` of a mask (feature `bytemuck`), looked up as in [`mask`] |
@@ -63,6 +65,11 @@
 //! | `offset-2d-32` | | 4,096 |
 //! | `offset-2d-64` (default) | | 16,384 |
 //! | `offset-2d-128` | | 65,536 |
+//! | `keys-64` | scrambling keys, good at any number of samples | 16,384 |
+//! | `keys-128` | | 65,536 |
+//! | `keys-64-spp-4` | the same, better at 4 samples | 16,384 |
+//! | `keys-64-spp-16` | the same, better at 16 samples | 16,384 |
+//! | `lattice-64` | shifts of a rank-1 lattice, good at 1, 4 and 16 samples | 16,384 |
 //! | `sobol-16` | direction numbers of the Sobol sequence, in `tables` | 2,048 |
 //! | `sobol-64` | | 8,192 |
 //! | `sobol-256` | | 32,768 |
@@ -89,6 +96,8 @@
 
 pub mod effort;
 pub mod hash;
+pub mod keys;
+pub mod keys_2019;
 pub mod lattice;
 pub mod linear;
 pub mod mask;
@@ -105,8 +114,9 @@ pub mod unit;
 pub mod warp;
 pub mod zorder;
 
+pub use keys::Keys;
 pub use mask::{ScalarMask, VectorMask};
-pub use sampler::{Constant, Dithered, Sampler, White, ZOrder};
+pub use sampler::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder};
 
 /// The README's examples, compiled.
 #[cfg(all(doctest, feature = "threshold-64", feature = "offset-2d-64"))]

@@ -16,7 +16,7 @@ pub const fn wrap(coordinate: u32, size: u32) -> u32 {
 /// all of 16 domains in 4 frames, 8 in 8 and 4 in 16, and, 2.5 pixels or more, the second pairs (`pad` = 1) of their four
 /// dimensions. Number domains 0, 1, 2, …: two large unrelated numbers may meet, with a chance of one in the tile's pixels.
 /// `size_log2` above 32 counts as 32.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub const fn offset(seed: u32, domain: u32, pad: u32, frame: u32, size_log2: u32) -> [u32; 2] {
     // Multiples of 2⁻³². 1/φ and 1/φ² for φ³ = φ + 1, rounded to odd; the others by a search for the largest least

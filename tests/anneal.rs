@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use bluedither::{effort, linear, sobol, strata};
+use bluedither::{effort, lattice, linear, sobol, strata};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
@@ -12,7 +12,7 @@ use rand::{Rng, SeedableRng};
 mod bake;
 
 use bake::anneal::{Features, LANES, anneal};
-use bake::features::{Column, value_order, value_set, vectors};
+use bake::features::{Column, Pattern, value_order, value_set, vectors};
 use bake::inputs::Inputs;
 use bake::record::Digests;
 
@@ -22,9 +22,19 @@ fn inputs() -> Inputs {
 }
 
 impl Inputs {
-    fn columns(&self, channels: usize) -> &[Column] {
-        if channels == 1 { &self.features_1d } else { &self.features_2d }
+    fn columns(&self, pattern: Pattern) -> &[Column] {
+        match pattern {
+            Pattern::Regular => &self.features_1d,
+            Pattern::Sobol => &self.features_2d,
+            Pattern::Lattice => &self.features_lattice,
+        }
     }
+}
+
+const PATTERNS: [Pattern; 3] = [Pattern::Regular, Pattern::Sobol, Pattern::Lattice];
+
+fn channels(pattern: Pattern) -> usize {
+    if pattern == Pattern::Regular { 1 } else { 2 }
 }
 
 /// What a tile is annealed with.
@@ -36,9 +46,9 @@ struct Problem {
 }
 
 impl Problem {
-    fn recorded(channels: usize, size_log2: u32) -> Self {
-        let (inputs, set) = (inputs(), value_set(channels, size_log2));
-        let features = vectors(&set, channels, size_log2, inputs.columns(channels), &inputs.cosine);
+    fn recorded(pattern: Pattern, size_log2: u32) -> Self {
+        let (inputs, set) = (inputs(), value_set(channels(pattern), size_log2));
+        let features = vectors(&set, pattern, size_log2, inputs.columns(pattern), &inputs.cosine);
         Self { size_log2, features, order: value_order(&set), kernel: inputs.anneal_kernel }
     }
 
@@ -146,24 +156,24 @@ impl Problem {
 
 #[test]
 fn masks_are_those_of_the_twin() {
-    for channels in [1, 2] {
-        let problem = Problem::recorded(channels, 4);
+    for pattern in PATTERNS {
+        let problem = Problem::recorded(pattern, 4);
         for seed in [1, 0x1234_5678_9abc_def0] {
             let (_, swaps, _) = problem.check(200, seed);
-            assert!(swaps > 500, "{channels}D: {swaps} swaps show little");
+            assert!(swaps > 500, "{pattern:?}: {swaps} swaps show little");
         }
         problem.check(0, 3);
         problem.check(1, 3);
-        Problem::recorded(channels, 5).check(40, 4);
+        Problem::recorded(pattern, 5).check(40, 4);
     }
 }
 
 /// From 64 pixels on there are two halves with a margin.
 #[test]
 fn halves_are_those_of_the_twin() {
-    for channels in [1, 2] {
-        let (_, swaps, _) = Problem::recorded(channels, 6).check(8, 5);
-        assert!(swaps > 500, "{channels}D: {swaps} swaps show little");
+    for pattern in PATTERNS {
+        let (_, swaps, _) = Problem::recorded(pattern, 6).check(8, 5);
+        assert!(swaps > 500, "{pattern:?}: {swaps} swaps show little");
     }
 }
 
@@ -171,7 +181,7 @@ fn halves_are_those_of_the_twin() {
 #[test]
 fn other_kernels_make_no_difference() {
     for kernel in [&[128, 100][..], &[128, 0, 60], &[90, -30, 20, 9, -128, 3, 1, 1, 77], &[128; 25]] {
-        let mut problem = Problem::recorded(2, 4);
+        let mut problem = Problem::recorded(Pattern::Sobol, 4);
         problem.kernel = kernel.to_vec();
         problem.check(20, 6);
     }
@@ -215,7 +225,7 @@ fn no_sum_overflows() {
 #[test]
 fn items_are_a_permutation() {
     for size_log2 in 4..=6 {
-        let mut items = Problem::recorded(2, size_log2).anneal(20, 10);
+        let mut items = Problem::recorded(Pattern::Sobol, size_log2).anneal(20, 10);
         items.sort_unstable();
         assert!(items.iter().enumerate().all(|(i, &item)| i == usize::from(item)), "2^{size_log2}");
     }
@@ -223,11 +233,11 @@ fn items_are_a_permutation() {
 
 #[test]
 fn more_proposals_lower_the_energy() {
-    for channels in [1, 2] {
+    for pattern in PATTERNS {
         for size_log2 in [4, 5] {
-            let problem = Problem::recorded(channels, size_log2);
+            let problem = Problem::recorded(pattern, size_log2);
             let energies = [0, 1, 10, 100, 1000].map(|proposals| problem.energy(&problem.anneal(proposals, 11)));
-            println!("{channels}D 2^{size_log2}: {energies:.4?}");
+            println!("{pattern:?} 2^{size_log2}: {energies:.4?}");
             assert!(energies[0].abs() < 0.2, "shuffled items are no noise: {energies:?}");
             assert!(energies.is_sorted_by(|before, after| before > after), "{energies:?}");
             assert!(energies[4] < -0.7, "{energies:?}");
@@ -237,13 +247,14 @@ fn more_proposals_lower_the_energy() {
 
 /// A feature in floating point, and how far it may be off: each number by its rounding. Phases are in steps of
 /// 2π/1024, as the table of cosines has them: that error is part of the definition.
-fn feature(channels: usize, column: &Column, value: [u16; 2], area: f64) -> [f64; 2] {
+fn feature(pattern: Pattern, column: &Column, value: [u16; 2], area: f64) -> [f64; 2] {
     let scale = column.weight as f64 / 1024.0;
     let term = |i: u32| -> f64 {
-        let point = if channels == 1 {
-            [f64::from(i) / f64::from(column.samples), 0.0]
-        } else {
-            sobol::point(i).map(|x| f64::from(x) / 4_294_967_296.0)
+        let in_unit = |x: u32| f64::from(x) / 4_294_967_296.0;
+        let point = match pattern {
+            Pattern::Regular => [f64::from(i) / f64::from(column.samples), 0.0],
+            Pattern::Sobol => sobol::point(i).map(in_unit),
+            Pattern::Lattice => [lattice::EXEW[0], lattice::EXEW[1]].map(|z| in_unit(lattice::extensible(i, z))),
         };
         let cosine = |j: usize| {
             let x = point[j] + (f64::from(value[j]) + 0.5) / area;
@@ -260,15 +271,15 @@ fn feature(channels: usize, column: &Column, value: [u16; 2], area: f64) -> [f64
 #[test]
 fn features_are_sums_of_cosines() {
     let inputs = inputs();
-    for (channels, size_log2) in [(1, 4), (1, 6), (2, 4), (2, 6)] {
-        let (set, columns) = (value_set(channels, size_log2), inputs.columns(channels));
-        let vectors = vectors(&set, channels, size_log2, columns, &inputs.cosine);
+    for (pattern, size_log2) in PATTERNS.into_iter().flat_map(|pattern| [(pattern, 4), (pattern, 6)]) {
+        let (set, columns) = (value_set(channels(pattern), size_log2), inputs.columns(pattern));
+        let vectors = vectors(&set, pattern, size_log2, columns, &inputs.cosine);
         for (&value, vector) in set.iter().zip(&vectors) {
             for (column, &found) in columns.iter().zip(vector.as_flattened()) {
-                let [expected, off] = feature(channels, column, value, set.len() as f64);
+                let [expected, off] = feature(pattern, column, value, set.len() as f64);
                 assert!(off < 0.6, "a bound that says little: {off}");
                 let error = (f64::from(found) - expected).abs();
-                assert!(error <= off, "{channels}D, {value:?}, {column:?}: {found} instead of {expected}");
+                assert!(error <= off, "{pattern:?}, {value:?}, {column:?}: {found} instead of {expected}");
             }
         }
     }
@@ -277,12 +288,12 @@ fn features_are_sums_of_cosines() {
 #[test]
 fn features_stay_below_64() {
     let inputs = inputs();
-    for channels in [1, 2] {
+    for pattern in PATTERNS {
         for size_log2 in 4..=7 {
-            let set = value_set(channels, size_log2);
-            let vectors = vectors(&set, channels, size_log2, inputs.columns(channels), &inputs.cosine);
+            let set = value_set(channels(pattern), size_log2);
+            let vectors = vectors(&set, pattern, size_log2, inputs.columns(pattern), &inputs.cosine);
             let largest = vectors.as_flattened().as_flattened().iter().map(|f| f.abs()).max().expect("features");
-            assert!((32..=63).contains(&largest), "{channels}D, 2^{size_log2}: {largest}");
+            assert!((32..=63).contains(&largest), "{pattern:?}, 2^{size_log2}: {largest}");
         }
     }
 }

@@ -7,7 +7,7 @@
 use std::path::PathBuf;
 
 use bluedither::tables::LINEAR_ORDER;
-use bluedither::{White, effort, hash, linear, sobol, strata};
+use bluedither::{White, effort, hash, lattice, linear, sobol, strata};
 
 mod analysis;
 #[path = "../src/bake/mod.rs"]

@@ -23,7 +23,7 @@ use analysis::spectrum::low_frequency_power;
 use bake::inputs::Inputs;
 use bake::recipe::{Kind, Recipe};
 use bake::record::Digests;
-use bluedither::{effort, linear, shift, sobol, strata, unit};
+use bluedither::{effort, lattice, linear, shift, sobol, strata, unit};
 use effort::Effort;
 
 /// Samples per pixel at which an offset mask is judged.

@@ -7,17 +7,20 @@
 use core::cmp::Reverse;
 use std::path::PathBuf;
 
-use bluedither::{effort, linear, sobol, strata};
+use bluedither::{effort, lattice, linear, sobol, strata};
 
 #[path = "../src/bake/mod.rs"]
 mod bake;
 
 use bake::anneal::LANES;
-use bake::features::Column;
+use bake::features::{Column, Pattern};
 use bake::inputs::{ANNEAL, COSINE, Inputs, VOID_AND_CLUSTER};
+use bake::linear_order::LinearOrder;
 use bake::recipe::Recipe;
 use bake::record::Digests;
 use effort::Effort;
+use rand::SeedableRng;
+use rand::rngs::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
 fn tables() -> PathBuf {
@@ -82,6 +85,9 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
         ($table:ident, scalar) => {
             bluedither::tables::$table.ranks().as_flattened().to_vec()
         };
+        ($table:ident, keys) => {
+            numbers(&bluedither::tables::$table)
+        };
         ($table:ident, vector) => {
             bluedither::tables::$table.ranks().as_flattened().as_flattened().to_vec()
         };
@@ -99,12 +105,23 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     table!("offset-2d-32", "offset_2d_32", OFFSET_2D_32, vector);
     table!("offset-2d-64", "offset_2d_64", OFFSET_2D_64, vector);
     table!("offset-2d-128", "offset_2d_128", OFFSET_2D_128, vector);
+    table!("keys-64", "keys_64", KEYS_64, keys);
+    table!("keys-128", "keys_128", KEYS_128, keys);
+    table!("keys-64-spp-4", "keys_64_spp_4", KEYS_64_SPP_4, keys);
+    table!("keys-64-spp-16", "keys_64_spp_16", KEYS_64_SPP_16, keys);
+    table!("lattice-64", "lattice_64", LATTICE_64, vector);
     assert_eq!(
         known,
         bake::recipe::all().into_iter().map(Recipe::name).collect::<Vec<_>>(),
         "a recipe without a line here"
     );
     all
+}
+
+/// Keys as they are baked: the upper halves of two numbers.
+#[allow(dead_code, reason = "without a feature of keys there are none")]
+fn numbers<const S: usize>(keys: &bluedither::Keys<S>) -> Vec<u16> {
+    (0..S * S).flat_map(|p| keys.key((p % S) as u32, (p / S) as u32)).map(|key| (key >> 16) as u16).collect()
 }
 
 #[test]
@@ -152,14 +169,19 @@ fn derived() -> Inputs {
         void_and_cluster_kernel: list(VOID_AND_CLUSTER).collect(),
         anneal_kernel: list(ANNEAL).collect(),
         cosine: list(COSINE).collect(),
-        features_1d: columns(1, 48, [1.0, 0.3, 0.1]),
-        features_2d: columns(2, 12, [1.0, 0.4, 0.15]),
+        features_1d: columns(Pattern::Regular, 48, [1.0, 0.3, 0.1]),
+        features_2d: columns(Pattern::Sobol, 12, [1.0, 0.4, 0.15]),
+        features_keys: key_columns([1.0, 0.35, 0.13]),
+        features_lattice: columns(Pattern::Lattice, 12, [1.0, 0.4, 0.15]),
+        // Not a formula: tests/columns.rs checks it.
+        linear_order: LinearOrder::read(&tables()).expect("the linear order"),
     }
 }
 
 /// The 48 columns of largest variance over a 64² value set, the largest first. `shares` are the variances that the
 /// errors at 1, 4 and 16 samples get in total.
-fn columns(channels: usize, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
+fn columns(pattern: Pattern, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
+    let channels = if pattern == Pattern::Regular { 1 } else { 2 };
     let set: Vec<[f64; 2]> = bake::features::value_set(channels, 6)
         .iter()
         .map(|value| value.map(|rank| (f64::from(rank) + 0.5) / 4096.0))
@@ -175,7 +197,7 @@ fn columns(channels: usize, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
                 }
                 let weight = libm::pow(k_squared, -(channels as f64 + 1.0) / 4.0);
                 let power =
-                    set.iter().map(|&v| libm::pow(weight * error(channels, samples, [kx, ky], v), 2.0)).sum::<f64>();
+                    set.iter().map(|&v| libm::pow(weight * error(pattern, samples, [kx, ky], v), 2.0)).sum::<f64>();
                 block.push((power / set.len() as f64, weight, [kx, ky]));
             }
         }
@@ -190,20 +212,69 @@ fn columns(channels: usize, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
     all.truncate(LANES);
     // The largest feature becomes 63: sums of products of two cosines in 2.14 fixed point, times this, over 2^24.
     let largest = |(_, scale, column): &(f64, f64, Column)| {
-        let errors = set.iter().map(|&v| error(channels, column.samples, column.k, v).abs());
+        let errors = set.iter().map(|&v| error(pattern, column.samples, column.k, v).abs());
         errors.fold(0.0, f64::max) * scale * f64::from(column.samples)
     };
     let unit = 63.0 * 1024.0 / all.iter().map(largest).fold(0.0, f64::max);
     all.into_iter().map(|(_, scale, column)| Column { weight: libm::round(scale * unit) as i64, ..column }).collect()
 }
 
+/// The same for keys: for each prefix the 32 columns of largest variance over 512 pixels in the linear order, in blocks of
+/// samples that a rank may bring to the front; `shares` are variances of all columns. More than 12 half-periods at 1 and
+/// 4 samples are not among the largest.
+fn key_columns(shares: [f64; 3]) -> Vec<Column> {
+    let LinearOrder { sequence, orders } = LinearOrder::read(&tables()).expect("the linear order");
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
+    let digits = bake::keys::linear_digits(&orders[linear::ORDERS - 1], 6, &mut rng);
+    let points = bake::keys::points(&linear::Sequence::new(&sequence), 64);
+    let mut all: Vec<(f64, f64, Column)> = Vec::new();
+    for (samples, share) in bake::keys::PREFIXES.into_iter().zip(shares) {
+        let sets: Vec<Vec<[f64; 2]>> = (0..512usize)
+            .map(|j| {
+                let (key, blocks) = (digits[j * 7919 % digits.len()], 64 / samples as usize);
+                let block = points.chunks(samples as usize).nth(j % blocks).expect("a block");
+                let point = |p: &u32| [(p ^ key) >> 16, (p ^ key) & 0xffff].map(|v| (f64::from(v) + 0.5) / 65_536.0);
+                block.iter().map(point).collect()
+            })
+            .collect();
+        let mut block = Vec::new();
+        for kx in 0..=16 {
+            for ky in 0..=16 {
+                if kx + ky == 0 {
+                    continue;
+                }
+                let weight = libm::pow(f64::from(kx * kx + ky * ky), -0.75);
+                let error = |set: &Vec<[f64; 2]>| -> f64 {
+                    let cosine = |k: u32, x: f64| libm::cos(core::f64::consts::PI * f64::from(k) * x);
+                    set.iter().map(|p| cosine(kx, p[0]) * cosine(ky, p[1])).sum::<f64>() / f64::from(samples)
+                };
+                let errors: Vec<f64> = sets.iter().map(|set| weight * error(set)).collect();
+                let variance = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
+                let largest = errors.iter().fold(0.0f64, |largest, e| largest.max(e.abs()));
+                block.push((variance, largest, weight, [kx, ky]));
+            }
+        }
+        let scale = (share / block.iter().map(|column| column.0).sum::<f64>()).sqrt();
+        // Mirrored columns may have equal variances: their order must not hang on a last digit.
+        block.sort_by_key(|&(variance, .., k)| (Reverse((variance * 1e9) as u64), k));
+        for (_, largest, weight, k) in block.into_iter().take(bake::keys::LANES) {
+            let column = Column { samples, k, weight: 0 };
+            all.push((largest * scale, weight * scale / f64::from(samples), column));
+        }
+    }
+    // Of 512 of 262,144 vectors the largest is not met: 55 leaves room to 63.
+    let unit = 55.0 * 1024.0 / all.iter().map(|column| column.0).fold(0.0, f64::max);
+    all.into_iter().map(|(_, weight, column)| Column { weight: libm::round(weight * unit) as i64, ..column }).collect()
+}
+
 /// The error of the mean of Π cos(π k_j x_j) over the pattern's first points, moved by `value`.
-fn error(channels: usize, samples: u32, k: [u32; 2], value: [f64; 2]) -> f64 {
+fn error(pattern: Pattern, samples: u32, k: [u32; 2], value: [f64; 2]) -> f64 {
     let term = |i: u32| -> f64 {
-        let point = if channels == 1 {
-            [f64::from(i) / f64::from(samples), 0.0]
-        } else {
-            sobol::point(i).map(|x| f64::from(x) / 4_294_967_296.0)
+        let in_unit = |x: u32| f64::from(x) / 4_294_967_296.0;
+        let point = match pattern {
+            Pattern::Regular => [f64::from(i) / f64::from(samples), 0.0],
+            Pattern::Sobol => sobol::point(i).map(in_unit),
+            Pattern::Lattice => [lattice::EXEW[0], lattice::EXEW[1]].map(|z| in_unit(lattice::extensible(i, z))),
         };
         (0..2)
             .map(|j| {
@@ -249,7 +320,12 @@ fn write_tables() {
         5,
     );
     input(COSINE.0, &formula("round(2^14 * cos(pi * i / 512)), i = 0..=256."), wide(&inputs.cosine), 16);
-    for (name, columns) in [("features_1d", &inputs.features_1d), ("features_2d", &inputs.features_2d)] {
+    for (name, columns) in [
+        ("features_1d", &inputs.features_1d),
+        ("features_2d", &inputs.features_2d),
+        ("features_keys", &inputs.features_keys),
+        ("features_lattice", &inputs.features_lattice),
+    ] {
         let head =
             "samples, kx, ky, weight: the features of the annealer (src/bake/features.rs), largest variance first.";
         input(name, &formula(head), flat(columns), 4);

@@ -24,15 +24,15 @@ pub struct Job<'a> {
 }
 
 macro_rules! samplers {
-    (|$masks:ident, $seed:ident, $spp:ident| $($name:literal => $sampler:expr,)*) => {
+    (|$masks:ident, $seed:ident, $spp:ident| $($(#[$condition:meta])* $name:literal => $sampler:expr,)*) => {
         /// All samplers, in the order of the sheets. A name that begins with a spectrum needs that annealed mask.
-        pub const NAMES: &[&str] = &[$($name),*];
+        pub const NAMES: &[&str] = &[$($(#[$condition])* $name),*];
 
         /// Renders the job with the sampler of that name.
         pub fn render(name: &str, job: &Job) -> Image {
             let ($masks, $seed, $spp) = (job.masks, job.arguments.seed, job.spp);
             match name {
-                $($name => {
+                $($(#[$condition])* $name => {
                     let sampler = $sampler;
                     Image::render(job.size, |x, y| {
                         let pixel = sampler.pixel(x, y, job.arguments.frame);
@@ -62,6 +62,10 @@ samplers! { |masks, seed, spp|
     "high-global" => masks.high().dithered(seed).global(),
     "high-stratified" => masks.high().dithered(seed).stratified(spp),
     "z-order" => ZOrder::with_spp(seed, spp),
+    #[cfg(feature = "lattice-64")]
+    "lattice" => bluedither::Rank1::with_spp(seed, spp),
+    #[cfg(feature = "keys-64")]
+    "keys" => bluedither::Keyed::with_spp(seed, spp),
     "dithered" => Dithered::with_spp(seed, spp),
     "sampler-progressive" => Sampler::new(seed),
     "sampler" => Sampler::with_spp(seed, spp),

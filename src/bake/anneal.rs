@@ -27,7 +27,9 @@ pub const LANES: usize = 48;
 pub type Features = [[i32; 8]; LANES / 8];
 /// A vector of the field: two lanes a word, lane 2i + 2³²·lane 2i+1 modulo 2⁶⁴. Sums of such words are the sums of their
 /// lanes, and halve the work of adding.
-type Packed = [[u64; 4]; LANES / 8];
+type Packed = Words<{ LANES / 8 }>;
+/// Such a vector of any length.
+pub(super) type Words<const ROWS: usize> = [[u64; 4]; ROWS];
 /// The window reaches this far: weights beyond are below one part in 128.
 pub const RADIUS: usize = 4;
 
@@ -93,7 +95,7 @@ fn power(features: &[Features], weight: i32) -> u64 {
     squares * u64::from(weight.unsigned_abs()) / features.len() as u64
 }
 
-fn shuffled(count: usize, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
+pub(super) fn shuffled(count: usize, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
     let mut items: Vec<u16> = (0..count).map(|i| i as u16).collect();
     for i in (1..count).rev() {
         let j = ((rng.next_u64() >> 32) * (i as u64 + 1)) >> 32;
@@ -194,10 +196,10 @@ fn pack(features: &Features) -> Packed {
     packed
 }
 
-fn difference(p: &Packed, q: &Packed) -> Packed {
+pub(super) fn difference<const ROWS: usize>(p: &Words<ROWS>, q: &Words<ROWS>) -> Words<ROWS> {
     let mut change = *q;
     let mut k = 0;
-    while k < LANES / 8 {
+    while k < ROWS {
         let mut i = 0;
         while i < 4 {
             change[k][i] = q[k][i].wrapping_sub(p[k][i]);
@@ -208,10 +210,10 @@ fn difference(p: &Packed, q: &Packed) -> Packed {
     change
 }
 
-fn times(change: &Packed, weight: i32) -> Packed {
+fn times<const ROWS: usize>(change: &Words<ROWS>, weight: i32) -> Words<ROWS> {
     let mut product = *change;
     let mut k = 0;
-    while k < LANES / 8 {
+    while k < ROWS {
         let (to, by) = (&mut product[k], weight as u64);
         to[0] = to[0].wrapping_mul(by);
         to[1] = to[1].wrapping_mul(by);
@@ -223,7 +225,7 @@ fn times(change: &Packed, weight: i32) -> Packed {
 }
 
 /// Whether each pixel is in the other's window, on the torus of `rows` rows (or is the other).
-fn near(p: usize, q: usize, size_log2: u32, rows: usize) -> bool {
+pub(super) fn near(p: usize, q: usize, size_log2: u32, rows: usize) -> bool {
     let size = 1 << size_log2;
     let dx = (p & (size - 1)).wrapping_sub(q & (size - 1)).wrapping_add(RADIUS) & (size - 1);
     let dy = (p >> size_log2).wrapping_sub(q >> size_log2).wrapping_add(RADIUS) & (rows - 1);
@@ -231,13 +233,13 @@ fn near(p: usize, q: usize, size_log2: u32, rows: usize) -> bool {
 }
 
 /// The weights around a pixel, without the pixel itself.
-struct Window {
+pub(super) struct Window {
     /// Every weight that occurs, with the places where it does.
     rings: Vec<(i32, Vec<[usize; 2]>)>,
 }
 
 impl Window {
-    fn new(kernel: &[i32]) -> Self {
+    pub(super) fn new(kernel: &[i32]) -> Self {
         let ring = |r2: usize| {
             let side = 2 * RADIUS + 1;
             let places = (0..side * side).map(|i| [i % side, i / side]);
@@ -248,7 +250,15 @@ impl Window {
     }
 
     /// Adds `sign`·w·`change` to the field around a pixel.
-    fn splat(&self, field: &mut [Packed], size_log2: u32, rows: usize, pixel: usize, change: &Packed, sign: i32) {
+    pub(super) fn splat<const ROWS: usize>(
+        &self,
+        field: &mut [Words<ROWS>],
+        size_log2: u32,
+        rows: usize,
+        pixel: usize,
+        change: &Words<ROWS>,
+        sign: i32,
+    ) {
         let mask = (1 << size_log2) - 1;
         let (x, y) = (pixel & mask, pixel >> size_log2);
         for (weight, places) in &self.rings {
@@ -259,7 +269,7 @@ impl Window {
                 i += 1;
                 let cell = &mut field[(y.wrapping_add(dy) & (rows - 1)) << size_log2 | (x.wrapping_add(dx) & mask)];
                 let mut k = 0;
-                while k < LANES / 8 {
+                while k < ROWS {
                     let (to, by) = (&mut cell[k], &by[k]);
                     to[0] = to[0].wrapping_add(by[0]);
                     to[1] = to[1].wrapping_add(by[1]);

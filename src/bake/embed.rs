@@ -21,7 +21,11 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
     let (what, mask) = match recipe.kind {
         Kind::Threshold => ("Threshold mask (void-and-cluster)", format!("ScalarMask<{size}>")),
         Kind::Offset1d => ("Offset mask of one channel", format!("ScalarMask<{size}>")),
+        Kind::Lattice => ("Shifts of a rank-1 lattice", format!("VectorMask<2, {size}>")),
         Kind::Offset2d => ("Offset mask of two channels", format!("VectorMask<2, {size}>")),
+        Kind::Keys => ("Scrambling keys for any number of samples", format!("Keys<{size}>")),
+        Kind::Keys4 => ("Scrambling keys for 4 samples, and the first 1 and 2 of them", format!("Keys<{size}>")),
+        Kind::Keys16 => ("Scrambling keys for 16 samples, and the first 1 to 8 of them", format!("Keys<{size}>")),
     };
     let mut text = format!(
         "/// {what}, {size}×{size} pixels, {} bytes, baked at {} effort.\n\

@@ -1,13 +1,35 @@
 //! The feature vectors of mask values: the errors that a pixel with that value makes on a basis of integrands.
 //!
 //! The basis is Π cos(π k_j x_j). A feature is the error of one basis function, estimated with the first n points of
-//! the pattern that ships (i/n in one dimension, Sobol points in two) moved by the value; n = 1, 4 and 16 at once.
+//! the pattern that ships moved by the value; n = 1, 4 and 16 at once.
 //! Weights fall as |k|^−(d+1)/2, the decay of integrands with edges, and every n has its share of the total. The 48
 //! columns of largest variance and their weights are kept in `tables/`; a test derives them again. All coefficients
 //! of the kernel that this amounts to are positive, so no frequency is ever rewarded for being loud.
 
 use super::anneal::{Features, LANES};
-use crate::{sobol, strata};
+use crate::{lattice, sobol, strata};
+
+/// What offsets move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pattern {
+    /// i/n, in one dimension.
+    Regular,
+    /// Points of the (0, 2)-sequence.
+    Sobol,
+    /// Points of the extensible lattice of two components.
+    Lattice,
+}
+
+impl Pattern {
+    /// Point i of n; in one dimension the second number is 0.
+    pub fn point(self, i: u32, samples: u32) -> [u32; 2] {
+        match self {
+            Self::Regular => [strata::regular_1d(i, samples), 0],
+            Self::Sobol => sobol::point(i),
+            Self::Lattice => [lattice::extensible(i, lattice::EXEW[0]), lattice::extensible(i, lattice::EXEW[1])],
+        }
+    }
+}
 
 /// One feature: basis function k, number of samples, and 2²⁴·weight/2¹⁴ of a sum of `samples` cosine products.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,10 +68,16 @@ pub fn value_order(set: &[[u16; 2]]) -> Vec<u16> {
 }
 
 /// One feature vector for every value of the set. `cosine` is a quarter of a wave in 256 steps, 2.14 fixed point.
-pub fn vectors(set: &[[u16; 2]], channels: usize, size_log2: u32, columns: &[Column], cosine: &[i32]) -> Vec<Features> {
+pub fn vectors(
+    set: &[[u16; 2]],
+    pattern: Pattern,
+    size_log2: u32,
+    columns: &[Column],
+    cosine: &[i32],
+) -> Vec<Features> {
     let mut vectors = vec![[[0; 8]; LANES / 8]; set.len()];
     for (lane, column) in columns.iter().enumerate() {
-        let pattern: Vec<[u32; 2]> = (0..column.samples).map(|i| pattern(channels, i, column.samples)).collect();
+        let pattern: Vec<[u32; 2]> = (0..column.samples).map(|i| pattern.point(i, column.samples)).collect();
         for (value, vector) in set.iter().zip(&mut vectors) {
             let offset = value.map(|rank| (2 * u32::from(rank) + 1) << (31 - 2 * size_log2));
             let mut sum = 0;
@@ -64,11 +92,6 @@ pub fn vectors(set: &[[u16; 2]], channels: usize, size_log2: u32, columns: &[Col
         }
     }
     vectors
-}
-
-/// Point i of n of the pattern that offsets move.
-fn pattern(channels: usize, i: u32, samples: u32) -> [u32; 2] {
-    if channels == 1 { [strata::regular_1d(i, samples), 0] } else { sobol::point(i) }
 }
 
 /// cos(π k x) for 0.32 fixed-point x.

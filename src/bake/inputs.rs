@@ -8,6 +8,8 @@ use std::path::Path;
 use super::anneal::LANES;
 use super::digest::digest;
 use super::features::Column;
+use super::keys;
+use super::linear_order::LinearOrder;
 use super::record::{Digests, read_text};
 
 /// The contents of `tables/`, checked.
@@ -23,6 +25,12 @@ pub struct Inputs {
     pub features_1d: Vec<Column>,
     /// What [`super::features`] says of two dimensions.
     pub features_2d: Vec<Column>,
+    /// What [`super::keys`] says of 1, 4 and 16 samples, in this order.
+    pub features_keys: Vec<Column>,
+    /// What [`super::features`] says of shifted lattices.
+    pub features_lattice: Vec<Column>,
+    /// What keys begin with.
+    pub linear_order: LinearOrder,
 }
 
 /// A list that is a formula: file name, number of entries, entry.
@@ -50,21 +58,24 @@ impl Inputs {
             }
             list.iter().map(|&value| i32::try_from(value).map_err(|_| damaged(name))).collect()
         };
-        let columns = |name| -> Result<Vec<Column>, String> {
+        let columns = |name, lanes| -> Result<Vec<Column>, String> {
             let list = integers(tables, name, digests)?;
             let column = |row: &[i64]| {
                 let natural = |i: usize| u32::try_from(row[i]).ok().filter(|&n| n < 64);
                 Some(Column { samples: natural(0)?, k: [natural(1)?, natural(2)?], weight: row[3] })
             };
             let columns: Option<Vec<Column>> = list.chunks_exact(4).map(column).collect();
-            columns.filter(|columns| columns.len() == LANES && list.len() == 4 * LANES).ok_or_else(|| damaged(name))
+            columns.filter(|columns| columns.len() == lanes && list.len() == 4 * lanes).ok_or_else(|| damaged(name))
         };
         Ok(Self {
             void_and_cluster_kernel: formula(VOID_AND_CLUSTER)?,
             anneal_kernel: formula(ANNEAL)?,
             cosine: formula(COSINE)?,
-            features_1d: columns("features_1d")?,
-            features_2d: columns("features_2d")?,
+            features_1d: columns("features_1d", LANES)?,
+            features_2d: columns("features_2d", LANES)?,
+            features_keys: columns("features_keys", keys::PREFIXES.len() * keys::LANES)?,
+            features_lattice: columns("features_lattice", LANES)?,
+            linear_order: LinearOrder::read(tables)?,
         })
     }
 }

@@ -9,6 +9,7 @@ pub mod directions;
 pub mod embed;
 pub mod features;
 pub mod inputs;
+pub mod keys;
 pub mod linear_order;
 pub mod quality;
 pub mod recipe;

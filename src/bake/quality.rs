@@ -7,8 +7,9 @@ pub fn gain(ranks: &[u16], channels: usize, size: usize) -> f64 {
     let total: f64 = kernel.iter().sum();
     let power: f64 = kernel.iter().map(|w| w * w).sum::<f64>() / (total * total);
     let gains = (0..channels).map(|channel| {
-        let mean = (ranks.len() / channels - 1) as f64 / 2.0;
-        let values: Vec<f64> = ranks.iter().skip(channel).step_by(channels).map(|&r| f64::from(r) - mean).collect();
+        let ranks = || ranks.iter().skip(channel).step_by(channels).map(|&rank| f64::from(rank));
+        let mean = ranks().sum::<f64>() / (size * size) as f64;
+        let values: Vec<f64> = ranks().map(|rank| rank - mean).collect();
         let blurred = blur_rows(&blur_rows(&values, size, &kernel), size, &kernel);
         let rms = |image: &[f64]| (image.iter().map(|v| v * v).sum::<f64>() / image.len() as f64).sqrt();
         rms(&blurred) / (total * total * rms(&values) * power)

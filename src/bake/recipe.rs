@@ -4,8 +4,10 @@ use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 
 use super::inputs::Inputs;
-use super::{anneal, features, void_and_cluster};
+use super::linear_order::LinearOrder;
+use super::{anneal, features, keys, void_and_cluster};
 use crate::effort::Effort;
+use crate::linear;
 
 /// What a mask is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +18,14 @@ pub enum Kind {
     Offset1d,
     /// Offsets in two dimensions, annealed for 1, 4 and 16 samples at once.
     Offset2d,
+    /// Scrambling keys, from the linear order of any number of samples.
+    Keys,
+    /// Keys from the linear order of 4 samples.
+    Keys4,
+    /// Keys from the linear order of 16 samples.
+    Keys16,
+    /// Shifts of a rank-1 lattice, annealed for 1, 4 and 16 samples at once.
+    Lattice,
 }
 
 /// One table: a mask of 2^`size_log2` squared pixels.
@@ -30,7 +40,14 @@ pub struct Recipe {
 /// Every recipe; each is a feature of the crate.
 pub fn all() -> Vec<Recipe> {
     let sizes = |kind, range: core::ops::RangeInclusive<u32>| range.map(move |size_log2| Recipe { kind, size_log2 });
-    sizes(Kind::Threshold, 4..=8).chain(sizes(Kind::Offset1d, 4..=7)).chain(sizes(Kind::Offset2d, 4..=7)).collect()
+    sizes(Kind::Threshold, 4..=8)
+        .chain(sizes(Kind::Offset1d, 4..=7))
+        .chain(sizes(Kind::Offset2d, 4..=7))
+        .chain(sizes(Kind::Keys, 6..=7))
+        .chain(sizes(Kind::Keys4, 6..=6))
+        .chain(sizes(Kind::Keys16, 6..=6))
+        .chain(sizes(Kind::Lattice, 6..=6))
+        .collect()
 }
 
 impl Recipe {
@@ -39,9 +56,17 @@ impl Recipe {
         1 << self.size_log2
     }
 
-    /// Numbers a pixel.
+    /// Whether the table holds keys.
+    pub fn is_keys(self) -> bool {
+        matches!(self.kind, Kind::Keys | Kind::Keys4 | Kind::Keys16)
+    }
+
+    /// 16-bit numbers a pixel, as baked.
     pub fn channels(self) -> usize {
-        if self.kind == Kind::Offset2d { 2 } else { 1 }
+        match self.kind {
+            Kind::Threshold | Kind::Offset1d => 1,
+            _ => 2,
+        }
     }
 
     /// Bytes of the table.
@@ -55,20 +80,34 @@ impl Recipe {
             Kind::Threshold => "threshold",
             Kind::Offset1d => "offset_1d",
             Kind::Offset2d => "offset_2d",
+            Kind::Lattice => "lattice",
+            Kind::Keys | Kind::Keys4 | Kind::Keys16 => "keys",
         };
-        format!("{kind}_{}", self.size())
+        let spp = match self.kind {
+            Kind::Keys4 => "_spp_4",
+            Kind::Keys16 => "_spp_16",
+            _ => "",
+        };
+        format!("{kind}_{}{spp}", self.size())
     }
 
-    /// The ranks, 0..S²−1, row by row, channels interleaved.
+    /// The ranks, 0..S²−1, row by row, channels interleaved; of keys the upper 16 digits of both numbers.
     pub fn bake(self, effort: Effort, inputs: &Inputs) -> Vec<u16> {
         let seed = u64::from(self.size_log2) << 8 | self.kind as u64;
         if self.kind == Kind::Threshold {
             let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
             return void_and_cluster::void_and_cluster(self.size_log2, &inputs.void_and_cluster_kernel, &mut rng);
         }
-        let columns = if self.kind == Kind::Offset1d { &inputs.features_1d } else { &inputs.features_2d };
+        if self.is_keys() {
+            return self.bake_keys(effort, inputs, seed);
+        }
+        let (pattern, columns) = match self.kind {
+            Kind::Offset1d => (features::Pattern::Regular, &inputs.features_1d),
+            Kind::Lattice => (features::Pattern::Lattice, &inputs.features_lattice),
+            _ => (features::Pattern::Sobol, &inputs.features_2d),
+        };
         let set = features::value_set(self.channels(), self.size_log2);
-        let vectors = features::vectors(&set, self.channels(), self.size_log2, columns, &inputs.cosine);
+        let vectors = features::vectors(&set, pattern, self.size_log2, columns, &inputs.cosine);
         let proposals = match effort {
             Effort::Quick => 50,
             Effort::Normal => 400,
@@ -83,5 +122,40 @@ impl Recipe {
             seed,
         );
         items.iter().flat_map(|&item| set[usize::from(item)][..self.channels()].to_vec()).collect()
+    }
+
+    fn bake_keys(self, effort: Effort, inputs: &Inputs, seed: u64) -> Vec<u16> {
+        // Ranks below the number of samples do not change their set.
+        let ranks_log2 = match self.kind {
+            Kind::Keys4 => 2,
+            Kind::Keys16 => 4,
+            _ => 6,
+        };
+        let order = match self.kind {
+            Kind::Keys => linear::ORDERS - 1,
+            _ => ranks_log2 as usize,
+        };
+        let LinearOrder { sequence, orders } = &inputs.linear_order;
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let digits = keys::linear_digits(&orders[order], self.size_log2, &mut rng);
+        let points = keys::points(&linear::Sequence::new(sequence), 1 << ranks_log2);
+        let mut vectors = Vec::new();
+        for (columns, prefix) in inputs.features_keys.chunks(keys::LANES).zip(keys::PREFIXES) {
+            if prefix < 1 << ranks_log2 {
+                vectors.push(keys::vectors(&digits, &points, prefix as usize, columns, &inputs.cosine));
+            }
+        }
+        let proposals = match effort {
+            Effort::Quick => 30,
+            Effort::Normal => 200,
+            Effort::Thorough => 1_000,
+        };
+        let kernel = &inputs.anneal_kernel;
+        let ranks = keys::choose_ranks(self.size_log2, ranks_log2, &vectors, kernel, proposals, &mut rng);
+        let pixel = |(digits, rank): (&u32, &u8)| {
+            let key = digits ^ points[usize::from(*rank)];
+            [(key >> 16) as u16, key as u16]
+        };
+        digits.iter().zip(&ranks).flat_map(pixel).collect()
     }
 }

@@ -20,14 +20,18 @@
 
 mod constant;
 mod dithered;
+mod keyed;
 mod linear;
+mod rank1;
 mod row;
 mod white;
 mod zorder;
 
 pub use constant::Constant;
 pub use dithered::{Dithered, DitheredPixel};
+pub use keyed::{Keyed, KeyedPixel};
 pub use linear::{LinearPixel, Sampler};
+pub use rank1::{Rank1, Rank1Pixel};
 pub use white::{White, WhitePixel};
 pub use zorder::{ZOrder, ZOrderPixel};
 
@@ -96,7 +100,7 @@ macro_rules! call_shape {
             }
 
             /// Sample `index` for purpose `domain`: D = 1..4 numbers in [0, 1). More is a compile error.
-            #[inline]
+            #[inline(always)]
             #[must_use]
             pub fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
                 $crate::unit::to_f32s(self.draw_fx(domain, index))
@@ -186,27 +190,32 @@ fn each_rev<T, V>(first: u32, targets: impl ExactSizeIterator<Item = T>, value: 
 }
 
 /// The upper half of a word and the lower one.
+#[inline(always)]
 #[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
 const fn halves(word: u64) -> [u32; 2] {
     [(word >> 32) as u32, word as u32]
 }
 
 /// The seed of a domain's numbers, one for each of its two pairs.
+#[inline(always)]
 const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
     crate::hash::combine(seed, padded(domain, pad))
 }
 
 /// The 64 bits of a domain's own: times an odd number, which is a constant if the domain is.
+#[inline(always)]
 const fn domain_word(seed: u64, domain: u32, pad: u32) -> u64 {
     seed.wrapping_mul(crate::hash::mix_64(padded(domain, pad) as u64) | 1)
 }
 
 /// A domain of its own for a second pair: by a constant without a pattern, so that it meets no domain in use.
+#[inline(always)]
 const fn padded(domain: u32, pad: u32) -> u32 {
     domain ^ pad.wrapping_mul(0x5bd1_e995)
 }
 
 /// A number that differs between the pixels of a screen, to be hashed with a seed: two odd constants of no meaning.
+#[inline(always)]
 const fn spread(x: u32, y: u32) -> u32 {
     x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77)
 }

@@ -5,7 +5,7 @@ pub(crate) mod net;
 
 use std::sync::LazyLock;
 
-use bluedither::{ScalarMask, VectorMask, sobol, unit};
+use bluedither::{Keys, ScalarMask, VectorMask, sobol, unit};
 
 use crate::analysis::random::Random;
 
@@ -29,6 +29,17 @@ static VECTOR: LazyLock<VectorMask<2, SIZE>> = LazyLock::new(|| {
     Random::new(12).shuffle(&mut pairs);
     VectorMask::new(core::array::from_fn(|y| core::array::from_fn(|x| pairs[y * SIZE + x])))
 });
+
+static KEYS: LazyLock<Keys<SIZE>> = LazyLock::new(|| {
+    let mut random = Random::new(13);
+    let digits: Vec<[u16; 2]> = (0..SIZE * SIZE).map(|_| [random.bits_32() as u16, random.bits_32() as u16]).collect();
+    Keys::from_slice(&digits).expect("one for every pixel")
+});
+
+/// Random keys.
+pub(crate) fn keys() -> &'static Keys<SIZE> {
+    &KEYS
+}
 
 /// A random permutation of the ranks.
 pub(crate) fn scalar_mask() -> &'static ScalarMask<SIZE> {
@@ -55,6 +66,12 @@ macro_rules! for_every_sampler {
             "single strata" => dithered.stratified_1d(spp),
             "strata" => dithered.stratified(spp),
             "z-order" => bluedither::ZOrder::with_spp(seed, spp),
+            "keys" => bluedither::Keyed::with_keys(common::keys(), seed),
+            "rank 1" => bluedither::Rank1::with_mask(common::vector_mask(), seed),
+            #[cfg(feature = "lattice-64")]
+            "baked lattice" => bluedither::Rank1::with_spp(seed, spp),
+            #[cfg(feature = "keys-64")]
+            "baked keys" => bluedither::Keyed::with_spp(seed, spp),
             #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
             "baked" => bluedither::Dithered::new(seed),
             #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]

@@ -2,7 +2,7 @@
 
 use crate::peers::{Cycles, Heitz, Pbrt, Pcg, RandomPattern, SobolBurley};
 use crate::shape::{Task, shape};
-use bluedither::{Constant, Dithered, Sampler, White, ZOrder, tables};
+use bluedither::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder, tables};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
@@ -37,6 +37,8 @@ macro_rules! samplers {
 /// Bytes of the two default masks.
 const MASKS: usize = size_of_val(&tables::THRESHOLD_64) + OFFSETS;
 const OFFSETS: usize = size_of_val(&tables::OFFSET_2D_64);
+/// A table of keys, and the points that `LINEAR_ORDER` has for them.
+const KEYS: usize = size_of_val(&tables::KEYS_64) + size_of_val(&tables::LINEAR_ORDER.sequence);
 const LINEAR: usize = size_of_val(&tables::LINEAR_ORDER);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
@@ -52,6 +54,10 @@ samplers! { |seed, spp|
     "dithered-progressive" => Dithered::new(seed); MASKS,
     "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp); MASKS,
     "z-order" => ZOrder::with_spp(seed, spp),
+    "keys" => Keyed::new(seed); KEYS,
+    "keys-spp-4" => Keyed::with_keys(&tables::KEYS_64_SPP_4, seed); KEYS,
+    "keys-spp-16" => Keyed::with_keys(&tables::KEYS_64_SPP_16, seed); KEYS,
+    "lattice" => Rank1::new(seed); size_of_val(&tables::LATTICE_64),
     "dithered-random" => RandomPattern::new(seed); OFFSETS,
     "pcg" => Pcg::new(seed),
     "sobol_burley" => SobolBurley::new(seed); 256 * 16 * 4,

@@ -5,8 +5,9 @@
 #![no_std]
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
+use bluedither::keys_2019::Tables2019;
 use bluedither::{
-    Constant, Dithered, Sampler, White, ZOrder, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
+    Constant, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
 };
 
 unsafe extern "C" {
@@ -37,6 +38,9 @@ pub extern "C" fn samplers(seed: u32, spp: u32, x: u32, y: u32, frame: u32, doma
         sum += samples[4][2];
     }
     sum += ZOrder::new(seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
+    static KEYS: Keys<4> = Keys::new([[[1, 2], [3, 4], [5, 6], [7, 8]]; 4]);
+    sum += Keyed::with_keys(&KEYS, seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
+    sum += Rank1::with_mask(&OFFSET_2D_64, seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
     sum += White::new(seed).pixel(x, y, frame).draw::<4>(domain, index)[3];
     sum + Constant::with_spp(seed, spp).pixel(x, y, frame).draw::<4>(domain, index)[3]
 }
@@ -46,6 +50,12 @@ pub extern "C" fn samplers(seed: u32, spp: u32, x: u32, y: u32, frame: u32, doma
 pub extern "C" fn masks(x: u32, y: u32) -> f32 {
     let bytes = THRESHOLD_64.bytes().len() + OFFSET_2D_64.bytes().len();
     THRESHOLD_64.value(x, y) + OFFSET_2D_64.value(x, y)[1] + unit::to_f32(bytes as u32)
+}
+
+/// Tables of a caller's, of any length.
+#[unsafe(no_mangle)]
+pub extern "C" fn tables_of_2019(bytes: &[u8; 65_536], tile: &[u8; 131_072], x: u32, y: u32, a: u32, b: u32) -> f32 {
+    Tables2019::from_slices(bytes, tile, tile).map_or(0.0, |tables| tables.value_f32(x, y, a, b))
 }
 
 /// One threshold: for looking at the machine code.

@@ -1,0 +1,155 @@
+//! Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019: one sequence for the image, scrambled by keys of every pixel.
+
+use super::{Pair, Single, call_shape, domain_seed, each_rev, halves, row_by_pixels, row_shape};
+use crate::tables::LINEAR_ORDER;
+use crate::{hash, keys::Keys, torus};
+
+/// The points of [`Sampler`](crate::Sampler), XORed in every pixel with the keys of a tile.
+///
+/// Blue at every number of samples, and with one sample bluer than the progressive order of `Sampler`, whose sets these
+/// are from 64 samples on; a net of its own in every pixel at every power of two. Every domain, pad and frame reads the
+/// tile at a place of its own and visits the points in an order of its own, the same for all pixels, so that a domain
+/// costs a pixel one look-up and two XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points;
+/// from the 257th on another look-up for each bit set above the eighth. Drawn row by row that is as fast as the tables of
+/// 2019.
+///
+/// A tile has few blocks of the linear order, which has more of a pattern than an annealed mask, and shows it again every
+/// 64 pixels; the first samples of two domains or frames may be correlated, by up to one half where they read the tile at
+/// places that are alike.
+#[derive(Clone, Copy, Debug)]
+pub struct Keyed<'a, const S: usize = 64> {
+    keys: &'a Keys<S>,
+    seed: u32,
+}
+
+#[cfg(feature = "keys-64")]
+impl Keyed<'static, 64> {
+    /// Samples per pixel unknown: the sequence goes on for as long as it is asked.
+    #[inline]
+    #[must_use]
+    pub const fn new(seed: u32) -> Self {
+        Self::with_keys(&crate::tables::KEYS_64, seed)
+    }
+
+    /// The same as [`new`](Self::new), whose table is made for every prefix; `spp` makes no difference. For one made
+    /// for 4 or 16 samples, bake it (`keys-64-spp-4`, `keys-64-spp-16`) and take [`with_keys`](Self::with_keys).
+    #[inline]
+    #[must_use]
+    pub const fn with_spp(seed: u32, spp: u32) -> Self {
+        _ = spp;
+        Self::new(seed)
+    }
+}
+
+impl<'a, const S: usize> Keyed<'a, S> {
+    /// With a table of your own choice.
+    #[inline]
+    #[must_use]
+    pub const fn with_keys(keys: &'a Keys<S>, seed: u32) -> Self {
+        Self { keys, seed }
+    }
+
+    /// The samples of one pixel in one frame. Any coordinates and frame; negative ones are passed `as u32`.
+    #[inline]
+    #[must_use]
+    pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> KeyedPixel<'a, S> {
+        KeyedPixel { sampler: *self, x, y, frame }
+    }
+}
+
+/// One pixel of [`Keyed`].
+#[derive(Clone, Copy, Debug)]
+pub struct KeyedPixel<'a, const S: usize = 64> {
+    sampler: Keyed<'a, S>,
+    x: u32,
+    y: u32,
+    frame: u32,
+}
+
+impl<const S: usize> KeyedPixel<'_, S> {
+    // Inlined for certain: all but the look-up is the same for all pixels, which a compiler sees only then.
+    #[inline(always)]
+    const fn single(self, domain: u32, pad: u32) -> KeyedPair {
+        self.pair(domain, pad)
+    }
+
+    #[inline(always)]
+    const fn pair(self, domain: u32, pad: u32) -> KeyedPair {
+        let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, Keys::<S>::SIZE_LOG2);
+        let digits = self.sampler.keys.digits(self.x.wrapping_add(dx), self.y.wrapping_add(dy));
+        let order = hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame);
+        // The lower digits are the domain's.
+        let low = hash::mix(order);
+        KeyedPair { key: [digits & 0xffff_0000 | low >> 16, digits << 16 | low & 0xffff], order }
+    }
+}
+
+/// The pair of a domain.
+#[derive(Clone, Copy)]
+struct KeyedPair {
+    key: [u32; 2],
+    order: u32,
+}
+
+impl KeyedPair {
+    #[inline(always)]
+    const fn point(self, index_rev: u32) -> [u32; 2] {
+        // All pixels of a domain share one order, or they would see different points between the powers of two.
+        let index_rev = hash::shuffle_rev(index_rev, self.order);
+        let mut point = POINTS_REV[(index_rev >> 24) as usize];
+        if index_rev << 8 != 0 {
+            point = xor(point, later(index_rev));
+        }
+        xor(point, self.key)
+    }
+}
+
+impl Pair for KeyedPair {
+    #[inline(always)]
+    fn at(self, index: u32) -> [u32; 2] {
+        self.point(index.reverse_bits())
+    }
+
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+        each_rev(first, targets, |index_rev| self.point(index_rev), put);
+    }
+}
+
+impl Single for KeyedPair {
+    #[inline(always)]
+    fn first(self, index: u32) -> u32 {
+        self.at(index)[0]
+    }
+
+    #[inline]
+    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+        each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
+    }
+}
+
+/// What the bits above the eighth add to a point.
+#[cold]
+const fn later(index_rev: u32) -> [u32; 2] {
+    halves(LINEAR_ORDER.sequence.packed_rev(index_rev & 0x00ff_ffff))
+}
+
+#[inline(always)]
+const fn xor(a: [u32; 2], b: [u32; 2]) -> [u32; 2] {
+    [a[0] ^ b[0], a[1] ^ b[1]]
+}
+
+/// The first 256 points, at the bit-reversed index.
+static POINTS_REV: [[u32; 2]; 256] = {
+    let mut points = [[0; 2]; 256];
+    let mut index = 0u32;
+    while index < 256 {
+        points[(index.reverse_bits() >> 24) as usize] = halves(LINEAR_ORDER.sequence.packed(index));
+        index += 1;
+    }
+    points
+};
+
+call_shape!(impl['a, const S: usize] KeyedPixel<'a, S>);
+row_shape!(impl['a, const S: usize] Keyed<'a, S>);
+row_by_pixels!(impl['a, const S: usize] Keyed<'a, S>);
