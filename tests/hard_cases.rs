@@ -2,7 +2,8 @@
 //!
 //! Those of single functions stand with their other tests: offsets in `shift.rs`, conversion to floats in `unit.rs`, a
 //! mask's far corner in `mask.rs`, floats that are no numbers in `warp.rs`, a billion points of a sequence in
-//! `lattice.rs`, and the optimisers' in `energy.rs`, `anneal.rs`, `void_and_cluster.rs` and `columns.rs`.
+//! `lattice.rs`, and the optimisers' and those of constant integrands in `energy.rs`, `anneal.rs`, `void_and_cluster.rs`
+//! and `columns.rs`. That no sampler returns 1.0 follows from `unit.rs` and is seen in `call_shape.rs`.
 #![allow(clippy::cast_possible_truncation, reason = "sizes of small loops")]
 
 mod analysis;
@@ -194,21 +195,5 @@ fn hard_integrands_are_unbiased_and_no_worse_than_by_independent_points() {
             let bound = if *name == "strata" { 3.0 * bound } else { bound };
             assert!(rms < bound * independent, "{name}, {integrand}: {} of independent points", rms / independent);
         }
-    }
-}
-
-#[test]
-fn a_constant_is_met_without_error() {
-    // Weight 1 for every point of [0, 1)², of floats: exact unless a number is 1, negative or none.
-    let weight = |x: f32, y: f32| f32::from(u8::from((0.0..1.0).contains(&x) && (0.0..1.0).contains(&y)));
-    assert_eq!([weight(1.0, 0.0), weight(0.0, f32::NAN)], [0.0; 2]);
-    for spp in [1, 3, 4, 256] {
-        for_every_sampler!(u32::MAX, spp, |name, sampler| {
-            for x in 0..64 {
-                let pixel = sampler.pixel(x, u32::MAX, u32::MAX);
-                let draws = (0..spp).map(|index| pixel.draw::<2>(u32::MAX, index));
-                assert_eq!(draws.map(|[x, y]| weight(x, y)).sum::<f32>(), spp as f32, "{name}, {spp} samples");
-            }
-        });
     }
 }
