@@ -171,6 +171,25 @@ fn an_annealers_energy_is_the_power_of_the_filtered_error() {
 }
 
 #[test]
+fn constant_integrands_and_any_heat_end_in_finite_energies() {
+    let squares = power::squares(&|_, _| 3.0);
+    assert!((squares[0] - 9.0).abs() < 1e-4 && squares[1..].iter().all(|&square| square == 0.0));
+    assert_eq!(power::owen_variances(&squares), [0.0; 9]);
+
+    let responses = Responses::new();
+    let rows = net::prefix(&net::sobol(3), 2);
+    let nothing = Power { at: [vec![vec![0.0; SIDE * SIDE]; 9], vec![vec![0.0; SIDE * SIDE]; 9]] };
+    for (power, constant) in [(nothing, true), (made_up_power(), false)] {
+        let duals = [Candidates::new(&power, 2).duals(&rows)];
+        let search = Anneal::new(&duals, &responses, |_, family| Some((family, 1.0)), 1.0, 1);
+        for heat in [0.0, 1e-320, f64::MAX, f64::INFINITY, f64::NAN] {
+            let energy = search.run(&mut [random_map(1)], 1, 50, heat);
+            assert!(energy.is_finite() && (energy == 0.0) == constant, "heat {heat}: {energy}");
+        }
+    }
+}
+
+#[test]
 fn rows_stay_those_of_a_net() {
     let mut rows = net::sobol(0);
     let mut random = columns::anneal::Random::new(9);

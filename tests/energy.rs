@@ -119,6 +119,43 @@ fn kept_sums_are_those_of_brute_force() {
 }
 
 #[test]
+fn no_temperature_or_reach_ends_in_nonsense() {
+    let odd = [0.0, -0.0, 1e-320, f64::MIN_POSITIVE, -1.0, 1.0, f64::MAX, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    for temperature in odd {
+        for reach in odd {
+            for maximise in [false, true] {
+                let mut annealer = Annealer::<2>::new(4, Distance::Euclidean, 5);
+                let before = sorted(&annealer.ranks());
+                let change = annealer.sweep(200, temperature, reach, maximise);
+                let context = format!("temperature {temperature}, reach {reach}");
+                assert_eq!(annealer.total(), naive_total(&annealer, 4), "{context}: the kept sums");
+                assert_eq!(sorted(&annealer.ranks()), before, "{context}: the values");
+                // Without heat, and with none that is a number, no swap goes the wrong way.
+                if temperature == 0.0 || temperature.is_nan() {
+                    assert!(if maximise { change >= 0 } else { change <= 0 }, "{context}: {change}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn tiles_of_one_and_four_pixels_and_constant_ones_have_an_energy() {
+    for size in [1, 2] {
+        let annealed = anneal::<1>(size, Spectrum::High, Distance::Toroidal, 50, 1, &mut |_| ());
+        assert_eq!(annealed.ranks.len(), size * size);
+        assert!(annealed.energy.is_finite() && (size == 1) == (annealed.energy == 0.0), "{}", annealed.energy);
+    }
+    // All values alike: the kernel of values is 1, and what is left is that of pixels.
+    let window = (-8..=8).flat_map(|y: i32| (-8..=8).map(move |x: i32| x * x + y * y));
+    let weights: f64 = window.map(|r2| (-f64::from(r2) / 4.41).exp()).sum::<f64>() - 1.0;
+    for rank in [0, u16::MAX] {
+        let found = exact(&vec![[rank; 3]; SIZE * SIZE], SIZE, Distance::Euclidean);
+        assert!((found - weights).abs() < 1e-9, "{found} instead of {weights}");
+    }
+}
+
+#[test]
 fn four_pixels_reach_the_optimum() {
     // All orders of 0, 1, 2, 3: the codes of four digits that hold each once.
     let order = |code: u16| {

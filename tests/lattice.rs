@@ -138,19 +138,43 @@ fn multiply(a: u128, b: u128) -> u128 {
     a1 * b1 + ((a1 * b0) >> 64) + ((a0 * b1) >> 64)
 }
 
+fn power(x: u128, n: usize) -> u128 {
+    (1..n).fold(x, |product, _| multiply(product, x))
+}
+
+/// x = 1/φ solves x^d + x^(d+1) = 1: bit by bit, the largest that stays below.
+fn root(d: usize) -> u128 {
+    let below = |x: u128| power(x, d).checked_add(power(x, d + 1)).is_some();
+    (0..128).rev().fold(0, |x, bit| if below(x | 1 << bit) { x | 1 << bit } else { x })
+}
+
 #[test]
 fn increments_are_powers_of_the_root() {
     for d in 1..=4 {
-        let power = |x: u128, n: usize| (1..n).fold(x, |product, _| multiply(product, x));
-        // x = 1/φ solves x^d + x^(d+1) = 1: bit by bit, the largest that stays below.
-        let below = |x: u128| power(x, d).checked_add(power(x, d + 1)).is_some();
-        let root = (0..128).rev().fold(0, |x, bit| if below(x | 1 << bit) { x | 1 << bit } else { x });
         for j in 1..=d {
-            let exact = power(root, j);
+            let exact = power(root(d), j);
             let (short, long) = (R[d - 1][j - 1], R_64[d - 1][j - 1]);
             assert!(short % 2 == 1 && long % 2 == 1, "an even increment has no full period");
             assert!((u128::from(short) << 96).abs_diff(exact) <= 1 << 96, "32 bits: {d}, {j}");
             assert!((u128::from(long) << 64).abs_diff(exact) <= 1 << 64, "64 bits: {d}, {j}");
+        }
+    }
+}
+
+#[test]
+fn a_billion_points_on_the_r_sequences_have_drifted_as_little_as_is_said() {
+    for index in [1_000u32, 1_000_000, 1_000_000_000, u32::MAX] {
+        let exact = |j: usize| power(root(2), j + 1).wrapping_mul(index.into()).wrapping_add(1 << 127);
+        // How far a 0.64 number is from it, around the circle.
+        let off = |value: u64, j: usize| {
+            let off = value.wrapping_sub((exact(j) >> 64) as u64);
+            off.min(off.wrapping_neg()) as f64 / 2f64.powi(64)
+        };
+        for j in 0..2 {
+            let long = off(r_64::<2>(index.into())[j], j);
+            assert!(long < f64::from(index) * 1e-19, "64 bits, point {index}: {long}");
+            let short = off(u64::from(r::<2>(index)[j]) << 32, j);
+            assert!(short < f64::from(index) * 1.9e-10 + 2f64.powi(-32), "32 bits, point {index}: {short}");
         }
     }
 }

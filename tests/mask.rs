@@ -110,6 +110,22 @@ fn vector_masks_of_every_size() {
 }
 
 #[test]
+fn a_mask_tiled_over_65536_squared_pixels_reaches_its_far_corner() {
+    fn check<const S: usize>() {
+        let (scalar, vector) = (scalar::<S>(), vector::<2, S>());
+        for back in [0, 1, S - 1, S, 65535] {
+            let far = 65535 - back as u32;
+            let inside = (S - 1 - back % S, S - 1);
+            assert_eq!(scalar.rank(far, 65535), scalar.ranks()[inside.1][inside.0], "{far}, 65535 in {S}²");
+            assert_eq!(vector.rank(65535, far), vector.ranks()[inside.0][inside.1], "65535, {far} in {S}²");
+        }
+    }
+    check::<1>();
+    check::<64>();
+    check::<256>();
+}
+
+#[test]
 fn a_mask_can_be_a_constant() {
     static MASK: ScalarMask<16> = scalar();
     const VALUE: u32 = MASK.value_fx(3, 5);

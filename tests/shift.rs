@@ -39,7 +39,7 @@ fn patterns<T: Ord>(pattern: impl Fn(u32) -> Vec<T>) -> usize {
 }
 
 #[test]
-fn extremes() {
+fn offsets_of_nothing_one_ulp_and_all_ones_are_exact() {
     for a in EXTREMES {
         for b in EXTREMES {
             assert_eq!(global([a], [b]), [naive_sum(a, b)]);

@@ -36,6 +36,29 @@ fn to_f32_is_the_floor_at_extremes_and_everywhere() {
     assert_eq!(to_f32(1 << 31).to_bits(), 0.5f32.to_bits());
 }
 
+/// Over every `step`-th number: the float never falls, and grows at each multiple of 2⁻²⁴ and nowhere else.
+fn assert_monotone(step: u32) {
+    let (mut before, mut last) = (0, to_f32(0));
+    for value in (0..=u32::MAX).step_by(step as usize) {
+        let float = to_f32(value);
+        assert_eq!(float > last, value >> 8 > before >> 8, "{before:#x} and {value:#x}: {last} and {float}");
+        assert!(float >= last && float < 1.0, "{before:#x} and {value:#x}: {last} and {float}");
+        (before, last) = (value, float);
+    }
+}
+
+#[test]
+fn conversion_is_monotone_over_a_sample_of_all_numbers() {
+    assert_monotone(251);
+}
+
+/// `cargo test --release --test unit -- --ignored`: some seconds.
+#[test]
+#[ignore = "all 2³² numbers"]
+fn conversion_is_monotone_over_all_numbers() {
+    assert_monotone(1);
+}
+
 #[test]
 fn to_f64_is_exact() {
     for value in EXTREMES {

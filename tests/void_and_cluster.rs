@@ -140,6 +140,26 @@ fn ranks_are_a_permutation() {
     }
 }
 
+/// Sigmas from nothing to all: the tightest cluster is anywhere, or the same from everywhere. Neither may go round in
+/// circles.
+#[test]
+fn kernels_of_no_width_and_of_any_width_end_in_a_permutation() {
+    let kernels: [(&str, Vec<i32>); 5] = [
+        ("nothing", vec![0]),
+        ("the pixel alone", vec![1_048_576]),
+        ("nothing, far", vec![0; 101]),
+        ("flat", vec![1000; 101]),
+        ("rising", (0..101).map(|r2| 10 * r2).collect()),
+    ];
+    for (name, kernel) in kernels {
+        for size_log2 in [3, 4, 5] {
+            let mut ranks = bake(size_log2, &kernel, 3);
+            ranks.sort_unstable();
+            assert!(ranks.into_iter().eq(0..1 << (2 * size_log2)), "{name}, {size_log2}");
+        }
+    }
+}
+
 fn shuffled(size: usize, seed: u64) -> Vec<u16> {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
     let mut keys: Vec<(u64, u16)> = (0..size * size).map(|i| (rng.next_u64(), i as u16)).collect();

@@ -24,6 +24,12 @@ impl Spectrum {
         let n = image.len() as f64;
         // The second pass left the axes swapped.
         let power = (0..data.len()).map(|p| data[p % size * size + p / size].norm_sqr() / n).collect();
+        Self::of_power(power, size)
+    }
+
+    /// Of powers that are known, row by row.
+    pub(crate) fn of_power(power: Vec<f64>, size: usize) -> Self {
+        assert_eq!(power.len(), size * size, "a square image");
         Self { size, power }
     }
 
@@ -55,7 +61,8 @@ impl Spectrum {
     /// The largest power over the mean for |f| > 0: tells a regular texture. White: about the logarithm of the number
     /// of frequencies.
     pub(crate) fn spike(&self) -> f64 {
-        self.power.iter().fold(0.0, |most: f64, &power| most.max(power)) / self.mean()
+        let most = self.power.iter().fold(0.0, |most: f64, &power| most.max(power));
+        if most > 0.0 { most / self.mean() } else { 0.0 }
     }
 
     /// |f| of entry `p` in cycles a pixel.

@@ -87,7 +87,7 @@ impl<const D: usize> Annealer<D> {
         const SCREEN: f64 = 0.02;
         let unit = WEIGHT_ONE * f64::from(Kernel::<D>::ONE);
         let all = self.values.len();
-        let span = ((reach * all as f64) as usize).max(2);
+        let span = ((reach.min(1.0) * all as f64) as usize).max(2);
         let mut total = 0;
         for _ in 0..count {
             let p = below(&mut self.rng, all);

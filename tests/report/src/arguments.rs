@@ -30,6 +30,10 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1)]
     pub seed: u32,
 
+    /// Does what instructions are counted of, for the program that counts them
+    #[arg(long, hide = true)]
+    pub count_instructions: bool,
+
     /// Folder to write to; it is made if need be
     #[arg(long, default_value = "target/report")]
     pub out: PathBuf,
@@ -51,8 +55,14 @@ pub enum Part {
     Frames,
     /// Integrands of the literature, one by one
     Classic,
+    /// One number a sample
+    Singles,
     /// Nanoseconds a number
     Speed,
+    /// Instructions a number, where valgrind is installed
+    Instructions,
+    /// Seconds that a build takes, by features; not with --quick
+    Builds,
     /// Bytes of tables
     Size,
     /// Spectra of the masks themselves

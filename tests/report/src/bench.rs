@@ -1,5 +1,6 @@
 //! The error of one sampler at one number of samples, over all seeds: mean squares an integrand, spikes, spectra.
 
+use crate::analysis::spectrum::Spectrum;
 use crate::family::{ALL, Family, Integrands, LINES, SMOOTH};
 use crate::field::{Drawn, PIXELS, SIZE, error_images};
 use crate::power::{Analyser, Squares};
@@ -71,11 +72,11 @@ impl Sums {
 impl Task for Error<'_> {
     type Output = Measured;
 
-    fn run(&self, sampler: &impl Sampler) -> Measured {
+    fn run<S: Sampler>(&self, make: fn(u32, u32) -> S) -> Measured {
         let Self { bench, setting: Setting { first, seeds } } = *self;
         let one = |mut sums: Sums, seed: u32| {
             let drawn = Drawn { seed: first.seed.wrapping_add(seed), ..first };
-            let images = error_images(sampler, drawn, &bench.integrands);
+            let images = error_images(&make(drawn.seed, drawn.spp), drawn, &bench.integrands);
             let mut squares = Vec::with_capacity(ALL);
             let mut scratch = bench.analyser.scratch();
             for (k, pair) in images.chunks_exact(2 * PIXELS).enumerate() {
@@ -100,36 +101,16 @@ impl Task for Error<'_> {
         Measured {
             count: first.count * first.frames,
             squares: sums.squares,
-            spikes: core::array::from_fn(|line| spike(lines[line])),
-            radial: [radial(&sums.power[..PIXELS]), radial(&sum(&lines))],
+            spikes: core::array::from_fn(|line| spectrum(&lines[line..=line]).spike()),
+            radial: [spectrum(&[&sums.power[..PIXELS]]).radial(), spectrum(&lines).radial()],
         }
     }
 }
 
-fn spike(power: &[f32]) -> f64 {
-    let (mut most, mut sum) = (0.0f32, 0.0f64);
-    for &power in &power[1..] {
-        most = most.max(power);
-        sum += f64::from(power);
-    }
-    if sum > 0.0 { f64::from(most) / (sum / (PIXELS - 1) as f64) } else { 0.0 }
-}
-
-fn sum(images: &[&[f32]]) -> Vec<f32> {
-    (0..PIXELS).map(|k| images.iter().map(|image| image[k]).sum()).collect()
-}
-
-fn radial(power: &[f32]) -> Vec<f64> {
-    let mean = power[1..].iter().map(|&p| f64::from(p)).sum::<f64>() / (PIXELS - 1) as f64;
-    let fold = |k: usize| k.min(SIZE - k) as f64;
-    // Ring 0 stays empty; the last is the corner.
-    let corner = fold(SIZE / 2).hypot(fold(SIZE / 2)).round() as usize;
-    let mut rings = vec![(0.0f64, 0.0f64); corner + 1];
-    for (k, &power) in power.iter().enumerate().skip(1) {
-        let ring = &mut rings[fold(k % SIZE).hypot(fold(k / SIZE)).round() as usize];
-        *ring = (ring.0 + f64::from(power), ring.1 + 1.0);
-    }
-    rings.iter().map(|(sum, n)| sum / n.max(1.0) / mean).collect()
+/// The spectrum that some images of power have together, without the mean.
+fn spectrum(powers: &[&[f32]]) -> Spectrum {
+    let sum = |k: usize| powers.iter().map(|power| f64::from(power[k])).sum();
+    Spectrum::of_power((0..PIXELS).map(|k| if k == 0 { 0.0 } else { sum(k) }).collect(), SIZE)
 }
 
 impl Measured {

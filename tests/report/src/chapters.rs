@@ -4,11 +4,11 @@ use crate::arguments::{Arguments, Part};
 use crate::bench::Bench;
 use crate::error_part::{self, Errors};
 use crate::field::Drawn;
-use crate::page::Chapter;
+use crate::page::{self, Chapter};
 use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
-use crate::{charts, classic, domains, edges, masks_part, scene_part};
+use crate::{builds, charts, classic, domains, edges, instructions, masks_part, scene_part, singles};
 
 /// The page's chapters, and files of numbers beside their tables.
 #[derive(Debug)]
@@ -27,7 +27,9 @@ pub fn measure(arguments: &Arguments) -> Report {
     let mut report = Report { chapters: Vec::new(), csv: Vec::new(), errors: None, speeds: None };
     let seed = arguments.seed;
     let error = |all: &[Drawn]| error_part::measure(&bench, &names, all, arguments.seeds());
-    let all_of = |count| Drawn { seed, spp: count, count, frames: 1 };
+    let all_of = |count| Drawn::all_of(seed, count);
+    // Chapters that need less certainty.
+    let few = [seed, arguments.seeds().div_ceil(4)];
 
     let speeds = arguments.has(Part::Speed).then(|| speed::measure(&names, arguments.rounds()));
     if arguments.has(Part::Error) {
@@ -36,79 +38,88 @@ pub fn measure(arguments: &Arguments) -> Report {
         report.chapters.extend(error_chapters(&errors, speeds.as_ref()));
         report.errors = Some(errors);
     }
+    if arguments.has(Part::Scene) {
+        // Second, after the main picture: it is what people look at.
+        let place = report.chapters.len().min(1);
+        report.chapters.insert(place, scene_part::chapter(&names, seed, arguments.quick));
+    }
+    let mut add = |title: &str, text: &str, tables: Vec<Table>| {
+        report.chapters.push(Chapter { title: title.into(), text: text.into(), figures: Vec::new(), tables });
+    };
     if arguments.has(Part::Prefixes) {
         let taken: &[u32] = if arguments.quick { &[1, 4] } else { &[1, 2, 4, 8, 12] };
         let taken: Vec<Drawn> = taken.iter().map(|&count| Drawn { count, ..all_of(16) }).collect();
-        report.chapters.push(Chapter {
-            title: "Prefixes".into(),
-            text: "Fewer samples taken than the sampler was told.".into(),
-            tables: error(&taken).brief("prefix", "W, sigma 1, the first of 16 samples"),
-            ..Chapter::default()
-        });
+        let tables = error(&taken).brief("prefix", "W, sigma 1, the first of 16 samples");
+        add("Prefixes", "Fewer samples taken than the sampler was told.", tables);
     }
     if arguments.has(Part::Odd) {
-        report.chapters.push(Chapter {
-            title: "Not powers of two".into(),
-            text: "The sampler is told the count.".into(),
-            tables: error(&[3, 12, 48].map(all_of)[..if arguments.quick { 2 } else { 3 }]).brief("odd", "W, sigma 1"),
-            ..Chapter::default()
-        });
+        let counts = &[3, 12, 48].map(all_of)[..if arguments.quick { 2 } else { 3 }];
+        add("Not powers of two", "The sampler is told the count.", error(counts).brief("odd", "W, sigma 1"));
+    }
+    if arguments.has(Part::Singles) {
+        let table = singles::table(&bench, &names, few, arguments.quick);
+        add("One dimension", "Time, wavelength, a lobe: what is drawn as a number by itself.", vec![table]);
     }
     if arguments.has(Part::Frames) {
-        let frames: &[u32] = if arguments.quick { &[1, 4] } else { &[1, 2, 4, 16] };
-        let frames: Vec<Drawn> = frames.iter().map(|&frames| Drawn { frames, ..all_of(1) }).collect();
-        report.chapters.push(Chapter {
-            title: "Animation".into(),
-            text: "One sample a pixel and frame, the mean of so many frames, over that of white noise, which starts anew in \
-                   every frame."
-                .into(),
-            tables: error(&frames).brief("frames", "W, sigma 1, mean of frames"),
-            ..Chapter::default()
-        });
+        add(
+            "Animation",
+            "One sample a pixel and frame, over white noise, which starts anew in every frame. The mean of so many frames; \
+             and the moving average that temporal filters keep, which takes a fifth of every new frame.",
+            animation(all_of(1), arguments.quick, error),
+        );
     }
     if arguments.has(Part::Classic) {
-        report.chapters.push(Chapter {
-            title: "Classic integrands".into(),
-            text: "Of the literature, one by one.".into(),
-            tables: classic::tables(&bench, &names, seed, arguments.seeds().div_ceil(4)),
-            ..Chapter::default()
-        });
+        add("Classic integrands", "Of the literature, one by one.", classic::tables(&bench, &names, few));
     }
     if arguments.has(Part::Domains) {
-        report.chapters.push(Chapter {
-            title: "Many dimensions".into(),
-            text: "One integrand takes the numbers of several pairs and domains. 1: they decorrelate.".into(),
-            tables: domains::tables(&names, seed, arguments.seeds().div_ceil(4)),
-            ..Chapter::default()
-        });
+        let text = "One integrand takes the numbers of several pairs and domains. 1: they decorrelate.";
+        add("Many dimensions", text, domains::tables(&names, few));
     }
     if arguments.has(Part::Edges) {
-        report.chapters.push(Chapter {
-            title: "Moving edges".into(),
-            text: "Dithering lives on neighbours that integrate nearly the same: how much of that is needed?".into(),
-            tables: vec![edges::table(&bench, &names, seed, arguments.seeds().div_ceil(4))],
-            ..Chapter::default()
-        });
+        let text = "Dithering lives on neighbours that integrate nearly the same: how much of that is needed?";
+        add("Moving edges", text, vec![edges::table(&bench, &names, few)]);
     }
-    if arguments.has(Part::Scene) {
-        report.chapters.push(scene_part::chapter(&names, seed, arguments.quick));
+    if arguments.has(Part::Size) {
+        add("Size", "", vec![size(&names)]);
     }
+    if arguments.has(Part::Instructions) {
+        let (text, tables) = tables_or_line(instructions::tables(&names, &arguments.out));
+        add("Instructions", &text, tables);
+    }
+    if arguments.has(Part::Builds) && !arguments.quick {
+        let (text, tables) = tables_or_line(builds::table(&arguments.out).map(|table| vec![table]));
+        add("Builds", &text, tables);
+    }
+    if let Some(speeds) = &speeds {
+        add("Speed", "Compare columns of one run: clocks wander, ratios stay.", speeds.tables());
+    }
+    report.speeds = speeds;
     if arguments.has(Part::Masks) {
         report.chapters.push(masks_part::chapter());
     }
-    if arguments.has(Part::Size) {
-        report.chapters.push(Chapter { title: "Size".into(), tables: vec![size(&names)], ..Chapter::default() });
-    }
-    if let Some(speeds) = speeds {
-        report.chapters.push(Chapter {
-            title: "Speed".into(),
-            text: "Compare columns of one run: clocks wander, ratios stay.".into(),
-            tables: speeds.tables(),
-            ..Chapter::default()
-        });
-        report.speeds = Some(speeds);
-    }
     report
+}
+
+/// What was measured, or a line that says why nothing was.
+fn tables_or_line(found: Result<Vec<Table>, String>) -> (String, Vec<Table>) {
+    match found {
+        Ok(tables) => (String::new(), tables),
+        Err(line) => (page::escape(&line), Vec::new()),
+    }
+}
+
+/// W at sigma 1 of means of frames, and of a moving average in a last column.
+fn animation(one: Drawn, quick: bool, error: impl Fn(&[Drawn]) -> Errors) -> Vec<Table> {
+    let frames: &[u32] = if quick { &[1, 4] } else { &[1, 2, 4, 16] };
+    let means: Vec<Drawn> = frames.iter().map(|&frames| Drawn { frames, ..one }).collect();
+    let mut tables = error(&means).brief("frames", "W, sigma 1, frames");
+    let moving = error(&[Drawn { frames: 16, keep: 0.8, ..one }]).brief("moving", "");
+    for (table, moving) in tables.iter_mut().zip(moving) {
+        table.head[0] = "mean of frames".into();
+        table.head.push("moving, 16".into());
+        table.rows.iter_mut().zip(moving.rows).for_each(|(row, moving)| row.extend(moving.into_iter().nth(1)));
+    }
+    tables
 }
 
 fn error_chapters(errors: &Errors, speeds: Option<&Speeds>) -> Vec<Chapter> {
@@ -119,7 +130,8 @@ fn error_chapters(errors: &Errors, speeds: Option<&Speeds>) -> Vec<Chapter> {
         text:
             "W: what a viewer sees of the error, over white noise at the same number of samples. Filtered: a Gaussian \
                of that standard deviation in pixels. Integrands are the same in all pixels, and no optimiser has seen \
-               them. In the first pictures lower left is better."
+               them. In the first pictures lower left is better: thick lines are this crate's, thin ones what others \
+               use. Point at a line, or tap it, to see it alone."
                 .into(),
         figures,
         tables: errors.tables(),
@@ -145,12 +157,11 @@ fn error_chapters(errors: &Errors, speeds: Option<&Speeds>) -> Vec<Chapter> {
 
 /// What each sampler links.
 fn size(names: &[&'static str]) -> Table {
-    let bytes = samplers::NAMES.iter().zip(samplers::BYTES).filter(|(name, _)| names.contains(name));
     Table {
         id: "size".into(),
         title: "Bytes of tables".into(),
         about: "Linked with the sampler, without code; the peers' as packed as they can be.".into(),
         head: ["sampler", "bytes"].map(String::from).to_vec(),
-        rows: bytes.map(|(name, bytes)| vec![(*name).to_string(), bytes.to_string()]).collect(),
+        rows: names.iter().map(|name| vec![(*name).to_string(), samplers::bytes(name).to_string()]).collect(),
     }
 }

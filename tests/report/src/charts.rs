@@ -2,12 +2,13 @@
 
 use crate::error_part::{Entry, Errors};
 use crate::family::Family;
+use crate::filter::SIGMA_1;
 use crate::plot::{Axis, Series, hue, plot};
+use crate::samplers::PEERS;
 use crate::speed::Speeds;
 
-/// The place of a family in the figures of an entry, and of sigma 1 in the filters.
+/// The place of a family in the figures of an entry.
 const FAMILIES: [(usize, Family); 2] = [(0, Family::Smooth), (1, Family::HalfPlanes)];
-const SIGMA_1: usize = 0;
 
 fn axis(label: &str, logarithmic: bool, ticks: Vec<f64>) -> Axis {
     Axis { label: label.into(), logarithmic, ticks }
@@ -20,6 +21,7 @@ fn lines(errors: &Errors, point: impl Fn(&Entry) -> Option<[f64; 2]>) -> Vec<Ser
         name: row[0].name.into(),
         hue: Some(hue(k, samplers.len())),
         dashed: false,
+        thin: PEERS.contains(&row[0].name),
         dots: true,
         points: row.iter().filter_map(&point).filter(|p| p.iter().all(|v| *v > 0.0)).collect(),
     };
@@ -30,7 +32,7 @@ fn lines(errors: &Errors, point: impl Fn(&Entry) -> Option<[f64; 2]>) -> Vec<Ser
 pub fn error_against_time(errors: &Errors, speeds: &Speeds) -> Vec<String> {
     let of = |(k, family): (usize, Family)| {
         let mut series = lines(errors, |entry| {
-            let time = speeds.of(entry.name, 2, entry.measured.count)? * 2.0 * f64::from(entry.measured.count);
+            let time = speeds.of_set(entry.name, 2, entry.measured.count)?;
             Some([time, entry.figures[k].filtered[SIGMA_1]])
         });
         let points = series.iter().flat_map(|s| s.points.iter().copied()).collect();
@@ -38,6 +40,7 @@ pub fn error_against_time(errors: &Errors, speeds: &Speeds) -> Vec<String> {
             name: "Pareto front".into(),
             hue: None,
             dashed: true,
+            thin: false,
             dots: false,
             points: front(points),
         });
@@ -83,6 +86,7 @@ pub fn spectra(errors: &Errors, count: u32) -> Vec<String> {
             name: entry.name.into(),
             hue: Some(hue(place, entries.len())),
             dashed: false,
+            thin: PEERS.contains(&entry.name),
             dots: false,
             points: radial(&entry.measured.radial[k]),
         };

@@ -2,16 +2,17 @@
 
 use crate::analysis::integrands::{evaluation_half_plane_2d, evaluation_smooth_2d};
 use crate::analysis::random::Random;
-use crate::bench::{Bench, Setting};
+use crate::bench::{Bench, Measured, Setting};
 use crate::charts::front;
-use crate::family::{ALL, FIXED, Family, Integrands, SMOOTH};
-use crate::field::{Drawn, PIXELS, SIZE};
+use crate::family::{ALL, FIXED, Family, Integrands, LINES, SMOOTH};
+use crate::field::{Drawn, PIXELS, SIZE, error_images};
 use crate::figures::figures;
 use crate::filter::{FILTERS, Filter};
 use crate::page::{Chapter, page};
 use crate::plot::{Axis, Series, plot};
-use crate::power::Analyser;
+use crate::power::{Analyser, Squares};
 use crate::samplers::WHITE;
+use crate::shape::shapes;
 use crate::table::Table;
 
 /// The fast integrands are the slow ones, in their order.
@@ -29,7 +30,7 @@ fn integrands_are_those_of_the_analysis() {
         let point = [random.uniform() as f32, random.uniform() as f32];
         let mut sums = [0.0; ALL];
         fast.add(point, &mut sums);
-        let errors = fast.errors(&sums, 1);
+        let errors = fast.errors(&sums, 1.0);
         for (k, &from) in order.iter().enumerate() {
             let expected = slow[from].at(point.map(f64::from)) - slow[from].exact;
             assert!((f64::from(errors[k]) - expected).abs() < 2e-6, "{} at {point:?}", slow[from].name);
@@ -104,7 +105,7 @@ fn white_against_white_is_one() {
     let bench = Bench::new();
     for count in [1, 4] {
         let [one, other] = [100, 200]
-            .map(|seed| Drawn { seed, spp: count, count, frames: 1 })
+            .map(|seed| Drawn::all_of(seed, count))
             .map(|first| bench.measure(WHITE, Setting { first, seeds: 8 }));
         for family in Family::BOTH {
             let found = figures(&one, &other, family);
@@ -117,6 +118,44 @@ fn white_against_white_is_one() {
         for spike in one.spikes {
             // The largest of 8192 sums of 8 exponential numbers.
             assert!((2.4..6.0).contains(&spike), "{spike}");
+        }
+    }
+}
+
+/// No error at all leaves zeros: no figure is infinite or none.
+#[test]
+fn an_error_of_nothing_leaves_numbers() {
+    let nothing = Squares { plain: 0.0, filtered: [0.0; FILTERS.len()] };
+    let measured = |squares| Measured { count: 4, squares, spikes: [0.0; LINES], radial: [vec![], vec![]] };
+    let white = Bench::new().measure(WHITE, Setting { first: Drawn::all_of(1, 4), seeds: 2 });
+    for family in Family::BOTH {
+        let found = figures(&measured(vec![[nothing; ALL]; 2]), &white, family);
+        assert!(found.w.iter().all(|w| w.mean == 0.0 && w.error == 0.0), "{:?}", found.w);
+        assert!(found.g.iter().chain(&found.filtered).all(|&g| g == 0.0), "{found:?}");
+        assert_eq!((found.rms, found.rms_over_white.mean), (0.0, 0.0));
+    }
+}
+
+/// A moving average is that of the frames' errors, and one that keeps all is their mean.
+#[test]
+fn frames_are_averaged() {
+    let integrands = Integrands::new();
+    let frames = 3;
+    let image = |drawn| error_images(&bluedither::White::new(5), drawn, &integrands);
+    let drawn = |keep| Drawn { frames, keep, ..Drawn::all_of(5, 2) };
+    // One frame alone, by a sampler that counts frames from there on.
+    struct From(u32);
+    impl From {
+        fn pixel(&self, x: u32, y: u32, frame: u32) -> bluedither::sampler::WhitePixel {
+            bluedither::White::new(5).pixel(x, y, self.0 + frame)
+        }
+    }
+    shapes! { From, bluedither::sampler::WhitePixel; }
+    let alone: Vec<Vec<f32>> = (0..frames).map(|f| error_images(&From(f), Drawn::all_of(5, 2), &integrands)).collect();
+    for (keep, weights) in [(1.0, [1.0 / 3.0; 3]), (0.5, [1.0 / 7.0, 2.0 / 7.0, 4.0 / 7.0])] {
+        for (k, &error) in image(drawn(keep)).iter().enumerate().step_by(1009) {
+            let expected: f32 = alone.iter().zip(weights).map(|(image, weight)| weight * image[k]).sum();
+            assert!((error - expected).abs() < 1e-5, "keep {keep}, {k}: {error} for {expected}");
         }
     }
 }
@@ -140,7 +179,7 @@ fn the_front_is_a_falling_stair() {
 #[test]
 fn the_page_stands_alone() {
     let points = vec![[1.0, 0.5], [16.0, 0.05], [256.0, 0.004]];
-    let series = Series { name: "a & b".into(), hue: Some(10), dashed: false, dots: true, points };
+    let series = Series { name: "a & b".into(), hue: Some(10), dashed: false, thin: false, dots: true, points };
     let axis = |label: &str, logarithmic| Axis { label: label.into(), logarithmic, ticks: vec![] };
     let figure = plot([&axis("x", true), &axis("y", true)], &[series]);
     assert_eq!(figure.matches("<circle").count(), 3);

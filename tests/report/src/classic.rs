@@ -2,13 +2,14 @@
 
 use crate::bench::Bench;
 use crate::error_part::short;
-use crate::field::{PIXELS, SIZE};
+use crate::filter::SIGMA_1;
+use crate::frozen;
+use crate::images::{self, Pixels};
+use crate::power::Squares;
 use crate::progress::Progress;
-use crate::samplers::{self, WHITE};
-use crate::shape::{Sampler, Task};
+use crate::samplers::WHITE;
 use crate::table::Table;
 use core::f64::consts::{FRAC_2_PI, PI};
-use rayon::prelude::*;
 
 const COUNTS: [u32; 3] = [1, 4, 16];
 
@@ -34,60 +35,51 @@ fn step(lit: bool) -> f64 {
     f64::from(u8::from(lit))
 }
 
-struct Images {
+struct Classic {
     count: u32,
-    seed: u32,
 }
 
-impl Task for Images {
-    /// An error image a function.
-    type Output = Vec<Vec<f32>>;
+impl Pixels for Classic {
+    fn count(&self) -> usize {
+        FUNCTIONS.len()
+    }
 
-    fn run(&self, sampler: &impl Sampler) -> Self::Output {
-        let made = sampler.make(self.seed, self.count);
-        let mut images = vec![vec![0.0; PIXELS]; FUNCTIONS.len()];
-        for p in 0..PIXELS {
-            let pixel = sampler.pixel(&made, (p % SIZE) as u32, (p / SIZE) as u32, 0);
-            let mut sums = [0.0; FUNCTIONS.len()];
-            for index in 0..self.count {
-                let [x, y] = sampler.draw_2(pixel, 0, index).map(f64::from);
-                sums.iter_mut().zip(FUNCTIONS).for_each(|(sum, (_, _, f))| *sum += f(x, y));
-            }
-            for ((image, sum), (_, exact, _)) in images.iter_mut().zip(sums).zip(FUNCTIONS) {
-                image[p] = (sum / f64::from(self.count) - exact) as f32;
-            }
+    fn errors(&self, _: usize, point: impl Fn(u32) -> [f32; 2], out: &mut [f32]) {
+        let mut sums = [0.0; FUNCTIONS.len()];
+        for index in 0..self.count {
+            let [x, y] = point(index).map(f64::from);
+            sums.iter_mut().zip(FUNCTIONS).for_each(|(sum, (_, _, f))| *sum += f(x, y));
         }
-        images
+        for ((out, sum), (_, exact, _)) in out.iter_mut().zip(sums).zip(FUNCTIONS) {
+            *out = (sum / f64::from(self.count) - exact) as f32;
+        }
     }
 }
 
 /// W at sigma 1 of each function, a table a sample count.
-pub fn tables(bench: &Bench, names: &[&'static str], seed: u32, seeds: u32) -> Vec<Table> {
+pub fn tables(bench: &Bench, names: &[&'static str], seeds: [u32; 2]) -> Vec<Table> {
     let progress = Progress::new("classic integrands", COUNTS.len() * (1 + names.len()));
-    let measure = |name: &str, count: u32| {
-        let one = |k: u32| {
-            let images = samplers::with(name, &Images { count, seed: seed.wrapping_add(k) });
-            let mut scratch = bench.analyser.scratch();
-            let pair = |pair: &[Vec<f32>]| bench.analyser.pair([&pair[0], &pair[1]], &mut scratch, |_, _| ());
-            images.chunks_exact(2).flat_map(pair).map(|squares| squares.filtered[0]).collect()
-        };
-        let runs: Vec<Vec<f64>> = (0..seeds).into_par_iter().map(one).collect();
-        progress.add(1);
-        (0..FUNCTIONS.len()).map(|f| runs.iter().map(|run| run[f]).sum::<f64>()).collect::<Vec<f64>>()
-    };
     let table = |count: u32| {
-        let white = measure(WHITE, count);
+        let measure = |name: &str| {
+            progress.add(1);
+            images::squares(bench, name, &Classic { count }, count, seeds)
+        };
+        let white = measure(WHITE);
         let row = |name: &&'static str| {
-            let found = measure(name, count);
-            let cells = found.iter().zip(&white).map(|(found, white)| short((found / white).sqrt()));
+            let ratio = |(found, white): (&Squares, &Squares)| found.filtered[SIGMA_1] / white.filtered[SIGMA_1];
+            let cells = measure(name).iter().zip(&white).map(|pair| short(ratio(pair).sqrt())).collect::<Vec<_>>();
             core::iter::once((*name).to_string()).chain(cells).collect()
         };
+        let mut rows: Vec<Vec<String>> = names.iter().map(row).collect();
+        rows.extend(frozen::classic_rows(count, &FUNCTIONS.map(|(name, ..)| name)));
         Table {
             id: format!("classic-{count}"),
             title: format!("W, sigma 1, {count} samples"),
-            about: "Filtered error over that of white noise.".into(),
+            about:
+                "Filtered error over that of white noise; rows marked as frozen are earlier measurements of one tile."
+                    .into(),
             head: core::iter::once("sampler".to_string()).chain(FUNCTIONS.map(|(name, ..)| name.to_string())).collect(),
-            rows: names.iter().map(row).collect(),
+            rows,
         }
     };
     COUNTS.map(table).to_vec()

@@ -8,7 +8,7 @@ use crate::analysis::soft_edge::SoftEdge;
 use crate::error_part::short;
 use crate::progress::Progress;
 use crate::samplers;
-use crate::shape::{Sampler, Task};
+use crate::shape::{Pixel, Sampler, Task};
 use crate::table::Table;
 use rayon::prelude::*;
 
@@ -84,21 +84,21 @@ struct Both<'a, const D: usize> {
 impl<const D: usize> Task for Both<'_, D> {
     type Output = [[f64; 2 * EACH]; 2];
 
-    fn run(&self, sampler: &impl Sampler) -> Self::Output {
+    fn run<S: Sampler>(&self, make: fn(u32, u32) -> S) -> Self::Output {
         let seed = |k: u32| bluedither::hash::combine(self.seed, k);
-        let made: Vec<_> = (0..=D as u32 / 2).map(|k| sampler.make(seed(k), self.count)).collect();
+        let made: Vec<_> = (0..=D as u32 / 2).map(|k| make(seed(k), self.count)).collect();
         let mut squares = [[0.0; 2 * EACH]; 2];
         for p in 0..SIZE * SIZE {
             let (x, y) = (p % SIZE, p / SIZE);
-            let pixels: Vec<_> = made.iter().map(|made| sampler.pixel(made, x, y, 0)).collect();
+            let pixels: Vec<_> = made.iter().map(|made| made.pixel(x, y, 0)).collect();
             let mut sums = [[0.0; 2 * EACH]; 2];
             for index in 0..self.count {
                 let (mut domains, mut apart) = ([0.0; D], [0.0; D]);
                 for (domain, out) in (0..).zip(domains.chunks_exact_mut(4)) {
-                    out.copy_from_slice(&sampler.draw_4(pixels[0], domain, index));
+                    out.copy_from_slice(&pixels[0].draw::<4>(domain, index));
                 }
                 for (pixel, out) in pixels[1..].iter().zip(apart.chunks_exact_mut(2)) {
-                    out.copy_from_slice(&sampler.draw_2(*pixel, 0, index));
+                    out.copy_from_slice(&pixel.draw::<2>(0, index));
                 }
                 self.integrands.add(&domains, &mut sums[0]);
                 self.integrands.add(&apart, &mut sums[1]);
@@ -114,12 +114,12 @@ impl<const D: usize> Task for Both<'_, D> {
 }
 
 /// Tables for 4 and 8 dimensions.
-pub fn tables(names: &[&'static str], seed: u32, seeds: u32) -> Vec<Table> {
+pub fn tables(names: &[&'static str], seeds: [u32; 2]) -> Vec<Table> {
     let progress = Progress::new("many dimensions", 2 * names.len());
-    vec![table::<4>(names, seed, seeds, &progress), table::<8>(names, seed, seeds, &progress)]
+    vec![table::<4>(names, seeds, &progress), table::<8>(names, seeds, &progress)]
 }
 
-fn table<const D: usize>(names: &[&'static str], seed: u32, seeds: u32, progress: &Progress) -> Table {
+fn table<const D: usize>(names: &[&'static str], [seed, seeds]: [u32; 2], progress: &Progress) -> Table {
     let integrands = Integrands::<D>::new();
     let rows = names.iter().map(|name| {
         let cells = COUNTS.map(|count| {

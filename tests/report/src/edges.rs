@@ -8,11 +8,11 @@ use crate::analysis::random::Random;
 use crate::bench::Bench;
 use crate::error_part::short;
 use crate::field::{PIXELS, SIZE};
+use crate::filter::SIGMA_1;
+use crate::images::{self, Pixels};
 use crate::progress::Progress;
-use crate::samplers::{self, WHITE};
-use crate::shape::{Sampler, Task};
+use crate::samplers::WHITE;
 use crate::table::Table;
-use rayon::prelude::*;
 
 const COUNTS: [u32; 3] = [1, 4, 16];
 /// Sweeps over the image: one in 128, 32 and 8 pixels; then a line anywhere, anew in each pixel.
@@ -48,60 +48,50 @@ impl Sweep {
     }
 }
 
-/// Error images of all sweeps.
-struct Images<'a> {
-    sweeps: &'a [Sweep],
+/// All lines at all densities.
+struct Sweeps {
+    sweeps: Vec<Sweep>,
     count: u32,
-    seed: u32,
 }
 
-impl Task for Images<'_> {
-    type Output = Vec<Vec<f32>>;
+impl Pixels for Sweeps {
+    fn count(&self) -> usize {
+        self.sweeps.len()
+    }
 
-    fn run(&self, sampler: &impl Sampler) -> Self::Output {
-        let made = sampler.make(self.seed, self.count);
-        let mut images = vec![vec![0.0; PIXELS]; self.sweeps.len()];
-        let mut points = Vec::new();
-        for p in 0..PIXELS {
-            let pixel = sampler.pixel(&made, (p % SIZE) as u32, (p / SIZE) as u32, 0);
-            points.clear();
-            points.extend((0..self.count).map(|index| sampler.draw_2(pixel, 0, index)));
-            for (Sweep { normal: [a, b], distances, exact }, image) in self.sweeps.iter().zip(&mut images) {
-                let lit = points.iter().filter(|[x, y]| a * x + b * y < distances[p]).count();
-                image[p] = (lit as f64 / f64::from(self.count) - exact[p]) as f32;
-            }
+    fn errors(&self, p: usize, point: impl Fn(u32) -> [f32; 2], out: &mut [f32]) {
+        let points: Vec<[f32; 2]> = (0..self.count).map(point).collect();
+        for (Sweep { normal: [a, b], distances, exact }, out) in self.sweeps.iter().zip(out) {
+            let lit = points.iter().filter(|[x, y]| a * x + b * y < distances[p]).count();
+            *out = (lit as f64 / f64::from(self.count) - exact[p]) as f32;
         }
-        images
     }
 }
 
 /// W at sigma 1, one row a sampler.
-pub fn table(bench: &Bench, names: &[&'static str], seed: u32, seeds: u32) -> Table {
+pub fn table(bench: &Bench, names: &[&'static str], seeds: [u32; 2]) -> Table {
     let progress = Progress::new("moving edges", COUNTS.len() * (1 + names.len()));
-    let mut random = Random::new(SEED);
-    let sweeps: Vec<Sweep> =
-        SWEEPS.iter().flat_map(|&n| (0..LINES).map(|_| Sweep::new(&mut random, n)).collect::<Vec<_>>()).collect();
-    // Mean square after the filter, of each density.
-    let measure = |name: &str, count: u32| {
-        let one = |k: u32| {
-            let images = samplers::with(name, &Images { sweeps: &sweeps, count, seed: seed.wrapping_add(k) });
-            let mut scratch = bench.analyser.scratch();
-            let pairs = images.chunks_exact(2).map(|pair| {
-                let squares = bench.analyser.pair([&pair[0], &pair[1]], &mut scratch, |_, _| ());
-                squares[0].filtered[0] + squares[1].filtered[0]
-            });
-            pairs.collect::<Vec<f64>>().chunks_exact(LINES / 2).map(|density| density.iter().sum()).collect()
+    let sweeps = COUNTS.map(|count| {
+        let mut random = Random::new(SEED);
+        let one = SWEEPS.map(|n| core::array::from_fn::<_, LINES, _>(|_| Sweep::new(&mut random, n)));
+        Sweeps { sweeps: one.into_iter().flatten().collect(), count }
+    });
+    // Mean square after the filter, of each number of samples and density.
+    let measure = |name: &str| -> Vec<f64> {
+        let of_count = |sweeps: &Sweeps| {
+            progress.add(1);
+            let squares = images::squares(bench, name, sweeps, sweeps.count, seeds);
+            squares
+                .chunks_exact(LINES)
+                .map(|lines| lines.iter().map(|s| s.filtered[SIGMA_1]).sum())
+                .collect::<Vec<f64>>()
         };
-        let runs: Vec<Vec<f64>> = (0..seeds).into_par_iter().map(one).collect();
-        progress.add(1);
-        (0..SWEEPS.len()).map(|k| runs.iter().map(|run| run[k]).sum::<f64>()).collect::<Vec<f64>>()
+        sweeps.iter().flat_map(of_count).collect()
     };
-    let white = COUNTS.map(|count| measure(WHITE, count));
+    let white = measure(WHITE);
     let row = |name: &&'static str| {
-        let cells = COUNTS.into_iter().zip(&white).flat_map(|(count, white)| {
-            let found = measure(name, count);
-            found.into_iter().zip(white).map(|(found, white)| short((found / white).sqrt())).collect::<Vec<_>>()
-        });
+        let cells =
+            measure(name).iter().zip(&white).map(|(found, white)| short((found / white).sqrt())).collect::<Vec<_>>();
         core::iter::once((*name).to_string()).chain(cells).collect()
     };
     let density = |n: usize| SIZE.checked_div(n).map_or("noise".to_string(), |period| format!("{period} px"));

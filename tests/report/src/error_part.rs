@@ -4,7 +4,7 @@ use crate::bench::{Bench, Measured, Setting};
 use crate::family::Family;
 use crate::field::Drawn;
 use crate::figures::{Figures, Value, figures, spikes};
-use crate::filter::FILTERS;
+use crate::filter::{FILTERS, Filter};
 use crate::frozen;
 use crate::progress::Progress;
 use crate::samplers::WHITE;
@@ -66,7 +66,7 @@ impl Errors {
         let mut all = Vec::new();
         let families = || Family::BOTH.map(Family::name).into_iter().enumerate();
         for (k, family) in families() {
-            let mut table = self.w(k, 0, family);
+            let mut table = self.w(k, Filter::Gauss(1.0), family);
             if self.counts == COUNTS {
                 table.rows.push(frozen::row(family));
             }
@@ -76,19 +76,19 @@ impl Errors {
             all.push(self.table(
                 &format!("rms-{family}"),
                 &format!("Root-mean-square error, {family}"),
-                "Before any filter; in brackets over that of white noise.",
+                "Before any filter; in brackets the same over white noise's.",
                 |entry| format!("{:.2e} ({})", entry.figures[k].rms, short(entry.figures[k].rms_over_white.mean)),
             ));
         }
         all.push(self.spike());
         for (k, family) in families() {
-            all.extend([1, 2].map(|f| self.w(k, f, family)));
-            for (f, sigma) in [(0, "1"), (7, "2")] {
+            all.extend([1.485, 2.1].map(|sigma| self.w(k, Filter::Gauss(sigma), family)));
+            for filter in [1.0, 2.0].map(Filter::Gauss) {
                 all.push(self.table(
-                    &format!("gain-{sigma}-{family}"),
-                    &format!("G({sigma}), {family}"),
+                    &format!("gain-{}-{family}", filter.name()),
+                    &format!("G({}), {family}", filter.name()),
                     "Filtered error over what the filter leaves of white noise of the same size.",
-                    |entry| short(entry.figures[k].g[f]),
+                    |entry| short(entry.figures[k].g[filter.place()]),
                 ));
             }
         }
@@ -98,7 +98,8 @@ impl Errors {
     /// W after the other filters.
     pub fn filter_tables(&self) -> Vec<Table> {
         let families = || Family::BOTH.map(Family::name).into_iter().enumerate();
-        families().flat_map(|(k, family)| [3, 4, 5, 6].map(|f| self.w(k, f, family))).collect()
+        let filters = [Filter::Gauss(0.7), Filter::Gauss(4.0), Filter::Box(3), Filter::Box(5)];
+        families().flat_map(|(k, family)| filters.map(|filter| self.w(k, filter, family))).collect()
     }
 
     /// W at sigma 1 alone, under another name and title.
@@ -106,7 +107,7 @@ impl Errors {
         let brief = |(k, family): (usize, &str)| Table {
             id: format!("{id}-{family}"),
             title: format!("{title}, {family}"),
-            ..self.w(k, 0, family)
+            ..self.w(k, Filter::Gauss(1.0), family)
         };
         Family::BOTH.map(Family::name).into_iter().enumerate().map(brief).collect()
     }
@@ -150,16 +151,17 @@ impl Errors {
     }
 
     /// W of a family after a filter.
-    pub fn w(&self, k: usize, f: usize, family: &str) -> Table {
-        let filter = match FILTERS[f].name() {
-            name if name.starts_with("box") => name,
-            name => format!("sigma {name}"),
+    pub fn w(&self, k: usize, filter: Filter, family: &str) -> Table {
+        let place = filter.place();
+        let filter = match filter {
+            Filter::Box(_) => filter.name(),
+            Filter::Gauss(_) => format!("sigma {}", filter.name()),
         };
         self.table(
             &format!("w-{}-{family}", filter.replace(' ', "-")),
             &format!("W, {filter}, {family}"),
             "Filtered error over that of white noise at the same number of samples, with standard errors in thousandths.",
-            |entry| with_error(entry.figures[k].w[f]),
+            |entry| with_error(entry.figures[k].w[place]),
         )
     }
 }

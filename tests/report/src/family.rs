@@ -122,10 +122,10 @@ impl Integrands {
         }
     }
 
-    /// The errors of the means of `count` points.
+    /// The errors of the means of points that weigh so much together: each 1, if `sums` are plain.
     #[inline]
-    pub fn errors(&self, sums: &[f32; ALL], count: u32) -> [f32; ALL] {
-        let scale = 1.0 / f64::from(count);
+    pub fn errors(&self, sums: &[f32; ALL], weight: f64) -> [f32; ALL] {
+        let scale = 1.0 / weight;
         core::array::from_fn(|k| {
             let mean = f64::from(sums[k]) * scale;
             (if k < SMOOTH { mean } else { mean - self.exact[k] }) as f32

@@ -11,7 +11,7 @@ pub enum Filter {
     Box(usize),
 }
 
-/// All filters that are measured; the figures name them by place.
+/// All filters that are measured.
 pub const FILTERS: [Filter; 8] = [
     Filter::Gauss(1.0),
     Filter::Gauss(1.485),
@@ -23,7 +23,23 @@ pub const FILTERS: [Filter; 8] = [
     Filter::Gauss(2.0),
 ];
 
+/// The place of the filter of the main tables.
+pub const SIGMA_1: usize = Filter::Gauss(1.0).place();
+
 impl Filter {
+    /// Its place in [`FILTERS`].
+    pub const fn place(self) -> usize {
+        let mut k = 0;
+        while k < FILTERS.len() {
+            match (self, FILTERS[k]) {
+                (Self::Gauss(a), Self::Gauss(b)) if a == b => return k,
+                (Self::Box(a), Self::Box(b)) if a == b => return k,
+                _ => k += 1,
+            }
+        }
+        panic!("this filter is not measured")
+    }
+
     pub fn name(self) -> String {
         match self {
             Self::Gauss(sigma) => format!("{sigma}"),

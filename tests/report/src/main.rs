@@ -11,6 +11,7 @@
 mod analysis;
 mod arguments;
 mod bench;
+mod builds;
 mod chapters;
 mod charts;
 #[cfg(test)]
@@ -28,6 +29,8 @@ mod figures;
 mod film;
 mod filter;
 mod frozen;
+mod images;
+mod instructions;
 mod masks_part;
 #[path = "../../../examples/render/measure.rs"]
 #[allow(dead_code, reason = "the example uses the rest")]
@@ -50,10 +53,13 @@ mod shape;
 #[path = "../../../examples/render/shapes.rs"]
 #[allow(missing_debug_implementations, reason = "a program's")]
 mod shapes;
+mod singles;
 mod speed;
 mod table;
 #[cfg(test)]
 mod unbiased;
+#[path = "../../../src/bake/void_and_cluster.rs"]
+mod void_and_cluster;
 
 use arguments::Arguments;
 use clap::Parser;
@@ -74,6 +80,10 @@ fn main() -> ExitCode {
 
 /// Measures what was asked for, prints the tables, and writes them as a page, Markdown and CSV.
 fn run(arguments: &Arguments) -> Result<(), String> {
+    if arguments.count_instructions {
+        instructions::work(&arguments.samplers());
+        return Ok(());
+    }
     let start = Instant::now();
     // Before the minutes of measuring, not after.
     std::fs::create_dir_all(&arguments.out).map_err(|error| cannot_write(&arguments.out, &error))?;

@@ -9,6 +9,7 @@ pub struct Series {
     /// A place on the colour wheel in degrees; `None` is the colour of the text.
     pub hue: Option<u32>,
     pub dashed: bool,
+    pub thin: bool,
     pub dots: bool,
     pub points: Vec<[f64; 2]>,
 }
@@ -23,11 +24,11 @@ pub struct Axis {
 }
 
 const WIDTH: f64 = 720.0;
-const HEIGHT: f64 = 430.0;
+const HEIGHT: f64 = 450.0;
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 12.0;
-const TOP: f64 = 10.0;
-const BOTTOM: f64 = 46.0;
+const TOP: f64 = 28.0;
+const BOTTOM: f64 = 50.0;
 
 /// The plot of some series, their names in a legend below.
 pub fn plot(axes: [&Axis; 2], series: &[Series]) -> String {
@@ -52,7 +53,7 @@ pub fn plot(axes: [&Axis; 2], series: &[Series]) -> String {
                     svg,
                     "<path class=g d=\"M{x:.1} {TOP}V{:.1}\"/><text x={x:.1} y={:.1} text-anchor=middle>{text}</text>",
                     HEIGHT - BOTTOM,
-                    HEIGHT - BOTTOM + 16.0
+                    HEIGHT - BOTTOM + 18.0
                 )
             } else {
                 write!(
@@ -65,36 +66,44 @@ pub fn plot(axes: [&Axis; 2], series: &[Series]) -> String {
             };
         }
     }
-    let middle = TOP + 0.5 * (HEIGHT - TOP - BOTTOM);
     _ = write!(
         svg,
         "<text x={:.1} y={:.1} text-anchor=middle>{}</text>",
         0.5 * (WIDTH + LEFT),
-        HEIGHT - 8.0,
+        HEIGHT - 7.0,
         axes[0].label
     );
-    _ = write!(
-        svg,
-        "<text x=14 y={middle:.1} text-anchor=middle transform=\"rotate(-90 14 {middle:.1})\">{}</text>",
-        axes[1].label
-    );
+    // Above the plot and not along the axis, where large letters would meet the numbers.
+    _ = write!(svg, "<text x=4 y=16>{}</text>", axes[1].label);
     for line in series {
         let path: Vec<String> = line.points.iter().map(|&p| place(p)).map(|[x, y]| format!("{x:.1} {y:.1}")).collect();
         let dash = if line.dashed { " stroke-dasharray=\"5 4\"" } else { "" };
-        _ = write!(svg, "<path class=l style=\"stroke:{}\"{dash} d=\"M{}\"/>", colour(line.hue), path.join("L"));
+        let (class, radius) = if line.thin { ("l thin", 2.2) } else { ("l", 3.4) };
+        _ = write!(
+            svg,
+            "<g><title>{}</title><path class=\"{class}\" style=\"stroke:{}\"{dash} d=\"M{}\"/>",
+            line.name,
+            colour(line.hue),
+            path.join("L")
+        );
         for &point in line.points.iter().filter(|_| line.dots) {
             let [x, y] = place(point);
             let title = format!("{}: {}, {}", line.name, number(point[0]), number(point[1]));
             _ = write!(
                 svg,
-                "<circle cx={x:.1} cy={y:.1} r=3 style=\"fill:{}\"><title>{title}</title></circle>",
+                "<circle cx={x:.1} cy={y:.1} r={radius} style=\"fill:{}\"><title>{title}</title></circle>",
                 colour(line.hue)
             );
         }
+        svg += "</g>";
     }
     svg += "</svg><figcaption>";
     for line in series {
-        let mark = if line.dashed { "┅" } else { "━" };
+        let mark = match (line.dashed, line.thin) {
+            (true, _) => "┅",
+            (_, true) => "─",
+            _ => "━",
+        };
         _ = write!(svg, "<span><b style=\"color:{}\">{mark}</b> {}</span> ", colour(line.hue), line.name);
     }
     svg + "</figcaption></figure>"

@@ -15,6 +15,13 @@ pub struct Squares {
     pub filtered: [f64; FILTERS.len()],
 }
 
+impl Squares {
+    pub fn add(&mut self, other: &Self) {
+        self.plain += other.plain;
+        self.filtered.iter_mut().zip(other.filtered).for_each(|(sum, square)| *sum += square);
+    }
+}
+
 /// The transform and the filters, planned once.
 pub struct Analyser {
     fft: Arc<dyn Fft<f32>>,

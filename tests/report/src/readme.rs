@@ -5,6 +5,7 @@
 
 use crate::error_part::{Errors, short};
 use crate::family::Family;
+use crate::filter::SIGMA_1;
 use crate::samplers;
 use crate::speed::Speeds;
 use std::path::Path;
@@ -16,6 +17,11 @@ const COSTS: [(usize, u32); 6] = [(1, 1), (1, 16), (2, 1), (2, 16), (2, 256), (4
 
 /// The names of all blocks.
 pub const BLOCKS: [&str; 2] = ["error", "cost"];
+
+/// The rows: all samplers but a second plain white noise, which is as the first.
+fn names() -> Vec<&'static str> {
+    samplers::NAMES.iter().copied().filter(|name| *name != "rand").collect()
+}
 
 /// What a block is filled with; without figures every number is a 0.
 #[derive(Clone, Copy, Debug)]
@@ -32,16 +38,16 @@ pub fn block(name: &str, figures: Option<Figures>) -> Option<String> {
     let (head, cell): (Vec<String>, Box<Cell>) = match name {
         "error" => {
             let w = move |row: usize, column: usize| {
-                let found = |k: usize| figures.map(|f| w(f.errors, samplers::NAMES[row], COUNTS[column], k));
+                let found = |k: usize| figures.map(|f| w(f.errors, names()[row], COUNTS[column], k));
                 Family::BOTH.map(|family| short(found(family as usize).unwrap_or(0.0))).join(" / ")
             };
             (COUNTS.map(|count| format!("{count} spp")).to_vec(), Box::new(w))
         }
         "cost" => {
             let cost = move |row: usize, column: usize| {
-                let (name, (dimensions, spp)) = (samplers::NAMES[row], COSTS.get(column).copied().unwrap_or((0, 0)));
+                let (name, (dimensions, spp)) = (names()[row], COSTS.get(column).copied().unwrap_or((0, 0)));
                 if column == COSTS.len() {
-                    return samplers::BYTES[row].to_string();
+                    return samplers::bytes(names()[row]).to_string();
                 }
                 format!("{:.1}", figures.and_then(|f| f.speeds.of(name, dimensions, spp)).unwrap_or(0.0))
             };
@@ -51,7 +57,7 @@ pub fn block(name: &str, figures: Option<Figures>) -> Option<String> {
         _ => return None,
     };
     let mut text = format!("| sampler | {} |\n|---|{}\n", head.join(" | "), "---:|".repeat(head.len()));
-    for (row, name) in samplers::NAMES.iter().enumerate() {
+    for (row, name) in names().iter().enumerate() {
         let cells: Vec<String> = (0..head.len()).map(|column| cell(row, column)).collect();
         text += &format!("| {name} | {} |\n", cells.join(" | "));
     }
@@ -60,7 +66,7 @@ pub fn block(name: &str, figures: Option<Figures>) -> Option<String> {
 
 fn w(errors: &Errors, name: &str, count: u32, family: usize) -> f64 {
     let found = errors.entries.iter().find(|entry| entry.name == name && entry.measured.count == count);
-    found.map_or(0.0, |entry| entry.figures[family].w[0].mean)
+    found.map_or(0.0, |entry| entry.figures[family].w[SIGMA_1].mean)
 }
 
 /// Writes all blocks that a file has markers for; a line says what is wrong with them.

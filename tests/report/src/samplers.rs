@@ -1,33 +1,35 @@
 //! The samplers that are measured: one line each.
 
-use crate::peers::{Cycles, Heitz, Pbrt, Pcg, RandomPattern, SobolBurley};
-use crate::shape::{Task, shape};
+use crate::peers::{
+    Cycles, CyclesPixel, Heitz, HeitzPixel, Pbrt, PbrtPixel, Pcg, PcgPixel, Rand, RandPixel, RandomPattern,
+    RandomPatternPixel, SobolBurley, SobolBurleyPixel,
+};
+use crate::shape::{Task, pixels, shapes};
+use bluedither::sampler::{DitheredPixel, KeyedPixel, LinearPixel, Rank1Pixel, WhitePixel, ZOrderPixel};
 use bluedither::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder, tables};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
+/// What is drawn fainter than the crate's own.
+pub const PEERS: [&str; 7] = ["dithered-random", "pcg", "rand", "sobol_burley", "heitz-2019", "cycles-z", "pbrt-z"];
 
 macro_rules! samplers {
     (|$seed:ident, $spp:ident| $($name:literal => $sampler:expr $(; $bytes:expr)?,)*) => {
         /// All names, in the order of the tables.
         pub const NAMES: &[&str] = &[$($name),*];
 
-        /// Bytes of the tables that each of them links.
-        pub const BYTES: &[usize] = &[$(0 $(+ $bytes)?),*];
+        /// Bytes of the tables that the sampler of that name links.
+        pub fn bytes(name: &str) -> usize {
+            match name {
+                $($name => 0 $(+ $bytes)?,)*
+                _ => 0,
+            }
+        }
 
         /// Does a task with the sampler of that name.
         pub fn with<T: Task>(name: &str, task: &T) -> T::Output {
             match name {
-                $($name => task.run(&shape(
-                    |$seed: u32, $spp: u32| { _ = $spp; $sampler },
-                    |sampler, x, y, frame| sampler.pixel(x, y, frame),
-                    |pixel, domain, index| pixel.draw::<1>(domain, index),
-                    |pixel, domain, index| pixel.draw::<2>(domain, index),
-                    |pixel, domain, index| pixel.draw::<4>(domain, index),
-                    |pixel, domain, first, out| pixel.fill::<1>(domain, first, out),
-                    |pixel, domain, first, out| pixel.fill::<2>(domain, first, out),
-                    |pixel, domain, first, out| pixel.fill::<4>(domain, first, out),
-                )),)*
+                $($name => task.run(|$seed, $spp| { _ = $spp; $sampler }),)*
                 _ => unreachable!("names are checked when arguments are read"),
             }
         }
@@ -43,8 +45,7 @@ const LINEAR: usize = size_of_val(&tables::LINEAR_ORDER);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
 
-// Any expression whose value has `pixel(x, y, frame)` and its `draw::<D>(domain, index)` and `fill`; then the bytes of its tables,
-// if it has any.
+// Any expression of a type that is listed below; then the bytes of its tables, if it has any.
 samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),
     "constant" => Constant::with_spp(seed, spp),
@@ -60,8 +61,31 @@ samplers! { |seed, spp|
     "lattice" => Rank1::new(seed); size_of_val(&tables::LATTICE_64),
     "dithered-random" => RandomPattern::new(seed); OFFSETS,
     "pcg" => Pcg::new(seed),
+    "rand" => Rand::new(seed),
     "sobol_burley" => SobolBurley::new(seed); 256 * 16 * 4,
     "heitz-2019" => Heitz::with_spp(seed, spp); RELEASE,
     "cycles-z" => Cycles::with_spp(seed, spp),
     "pbrt-z" => Pbrt::with_spp(seed, spp),
+}
+
+shapes! {
+    White, WhitePixel, rows;
+    Constant, WhitePixel, rows;
+    Sampler, LinearPixel, rows;
+    Dithered<'static>, DitheredPixel<'static>, rows;
+    ZOrder, ZOrderPixel, rows;
+    Keyed<'static>, KeyedPixel<'static>, rows;
+    Rank1<'static>, Rank1Pixel<'static>, rows;
+    RandomPattern, RandomPatternPixel;
+    Pcg, PcgPixel;
+    Rand, RandPixel;
+    SobolBurley, SobolBurleyPixel;
+    Heitz, HeitzPixel;
+    Cycles, CyclesPixel;
+    Pbrt, PbrtPixel;
+}
+
+pixels! {
+    WhitePixel; LinearPixel; DitheredPixel<'static>; ZOrderPixel; KeyedPixel<'static>;
+    Rank1Pixel<'static>; RandomPatternPixel; PcgPixel; RandPixel; SobolBurleyPixel; HeitzPixel; CyclesPixel; PbrtPixel;
 }

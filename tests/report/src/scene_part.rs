@@ -9,16 +9,23 @@ use crate::progress::Progress;
 use crate::reference::Reference;
 use crate::samplers::{self, WHITE};
 use crate::scene::{Dimensions, Sample, Scene};
-use crate::shape::{Sampler, Task};
+use crate::shape::{Pixel, Sampler, Task};
 use crate::table::Table;
 use glam::Vec3A;
 use image::imageops;
+use std::hint::black_box;
+use std::time::Instant;
 
 const SIZE: [u32; 2] = [192, 128];
 const COUNTS: [u32; 3] = [1, 4, 16];
 /// Samples of the pictures on the page, and the part of the scene that they show.
 const SHOWN: u32 = 4;
 const CROP: [u32; 4] = [60, 40, 96, 64];
+/// Samples of white noise whose time the pictures at equal time have: enough for a difference to make one.
+const BUDGET: u32 = 16;
+
+/// Samples that are drawn at once.
+const RUN: usize = 16;
 
 /// What the numbers are for.
 const TIME: u32 = 0;
@@ -35,15 +42,20 @@ struct Render<'a> {
 impl Task for Render<'_> {
     type Output = Image;
 
-    fn run(&self, sampler: &impl Sampler) -> Image {
-        let made = sampler.make(self.seed, self.spp);
+    fn run<S: Sampler>(&self, make: fn(u32, u32) -> S) -> Image {
+        let made = make(self.seed, self.spp);
         Image::render(SIZE, |x, y| {
-            let pixel = sampler.pixel(&made, x, y, 0);
+            let pixel = made.pixel(x, y, 0);
+            let (mut times, mut lenses, mut lights) = ([[0.0]; RUN], [[0.0; 2]; RUN], [[0.0; 2]; RUN]);
             let mut sum = Vec3A::ZERO;
-            for index in 0..self.spp {
-                let [time] = sampler.draw_1(pixel, TIME, index);
-                let (lens, light) = (sampler.draw_2(pixel, LENS, index), sampler.draw_2(pixel, LIGHT, index));
-                sum += self.scene.radiance(x, y, Sample { time, lens, light }.only(self.dimensions));
+            for first in (0..self.spp).step_by(RUN) {
+                let count = RUN.min((self.spp - first) as usize);
+                pixel.fill(TIME, first, &mut times[..count]);
+                pixel.fill(LENS, first, &mut lenses[..count]);
+                pixel.fill(LIGHT, first, &mut lights[..count]);
+                for ((&[time], &lens), &light) in times.iter().zip(&lenses).zip(&lights).take(count) {
+                    sum += self.scene.radiance(x, y, Sample { time, lens, light }.only(self.dimensions));
+                }
             }
             sum / self.spp as f32
         })
@@ -76,15 +88,15 @@ pub fn chapter(names: &[&'static str], seed: u32, quick: bool) -> Chapter {
     let mut figures = Vec::new();
     for &(label, [time, lens, light]) in sets {
         let dimensions = Dimensions { time, lens, light };
-        let reference = Reference::render(&scene, SIZE, dimensions, reference_spp, seed);
+        let reference = Reference::render(&scene, SIZE, dimensions, reference_spp, seed).image;
         let progress = Progress::new("rendering the scene", counts.len() * names.len());
+        let render = |name: &str, spp: u32, k: u32| {
+            samplers::with(name, &Render { scene: &scene, dimensions, spp, seed: seed.wrapping_add(k) })
+        };
         for &spp in counts {
-            let render = |name: &str, k: u32| {
-                samplers::with(name, &Render { scene: &scene, dimensions, spp, seed: seed.wrapping_add(k) })
-            };
             // Mean squares over the seeds.
             let measure = |name: &str| {
-                let runs = (0..seeds).map(|k| sizes(&render(name, k).minus(&reference.image), &guide));
+                let runs = (0..seeds).map(|k| sizes(&render(name, spp, k).minus(&reference), &guide));
                 runs.fold([0.0; 4], |sum: [f32; 4], run| core::array::from_fn(|k| sum[k] + run[k] * run[k]))
             };
             let white = measure(WHITE);
@@ -92,15 +104,28 @@ pub fn chapter(names: &[&'static str], seed: u32, quick: bool) -> Chapter {
             for name in names {
                 let found = measure(name);
                 column.push(core::array::from_fn(|k| (found[k] / white[k]).sqrt()));
-                if spp == SHOWN && time && lens && light {
-                    figures.push(picture(name, &render(name, 0)));
-                }
                 progress.add(1);
             }
             columns.push((format!("{label}, {spp}"), column));
         }
         if time && lens && light {
-            figures.push(picture("reference", &reference.image));
+            let equal = names.iter().map(|name| (*name, SHOWN)).collect::<Vec<_>>();
+            let timed = at_equal_time(names, &|name, k| render(name, SHOWN, k), if quick { 3 } else { 9 });
+            for (title, all) in [
+                (format!("At {SHOWN} samples per pixel"), equal),
+                (format!("In the time of {BUDGET} samples of {WHITE}"), timed),
+            ] {
+                figures.push(format!("<h3>{title}</h3>"));
+                let shown = all.iter().map(|(name, spp)| (*name, *spp, render(name, *spp, 0)));
+                let shown: Vec<_> = shown
+                    .map(|(name, spp, image)| (name, spp, rms(&gaussian(&image.minus(&reference), 1.0)), image))
+                    .collect();
+                let unit = shown.iter().find(|one| one.0 == WHITE).map_or(1.0, |one| one.2);
+                figures.push(picture("reference", &reference));
+                figures.extend(shown.iter().map(|(name, spp, error, image)| {
+                    picture(&format!("{name}, {spp} spp: {}", short((error / unit).into())), image)
+                }));
+            }
         }
     }
     let table = |(k, (id, title)): (usize, (&str, &str))| Table {
@@ -124,13 +149,29 @@ pub fn chapter(names: &[&'static str], seed: u32, quick: bool) -> Chapter {
     Chapter {
         title: "A scene".into(),
         text: format!(
-            "The render example's moving sphere, lens and rectangular light, {}×{} pixels, {seeds} seeds: figures vary by some \
-             percent. Pictures at {SHOWN} samples per pixel:",
+            "The render example's moving sphere, lens and rectangular light, {}×{} pixels, seeds: {seeds}. Figures vary by some \
+             percent. Under each picture its error after a Gaussian of 1 pixel, over that of {WHITE}.",
             SIZE[0], SIZE[1]
         ),
         figures,
         tables: [1, 2, 3, 0].into_iter().zip(kinds).map(table).collect(),
     }
+}
+
+/// How many samples each sampler can take in the time of `BUDGET` ones of white noise, rendering included: by the fastest
+/// of some rounds in which all take turns.
+fn at_equal_time<'a>(names: &[&'a str], render: &dyn Fn(&str, u32) -> Image, rounds: u32) -> Vec<(&'a str, u32)> {
+    let mut best = vec![f64::INFINITY; names.len()];
+    for round in 0..rounds {
+        for (name, best) in names.iter().zip(&mut best) {
+            let start = Instant::now();
+            black_box(render(name, round));
+            *best = best.min(start.elapsed().as_secs_f64());
+        }
+    }
+    let white = names.iter().zip(&best).find(|(name, _)| **name == WHITE).map_or(1.0, |(_, time)| *time);
+    let count = |time: f64| ((white / time * f64::from(BUDGET)).round() as u32).max(1);
+    names.iter().zip(best).map(|(name, time)| (*name, count(time))).collect()
 }
 
 /// A part of a picture as an inline PNG, enlarged by the page.

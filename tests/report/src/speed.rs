@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use crate::samplers;
-use crate::shape::{Sampler, Task};
+use crate::shape::{Pixel, Sampler, Task};
 use crate::table::Table;
 use std::hint::black_box;
 use std::time::Instant;
@@ -27,39 +27,38 @@ pub enum Order {
     Batch,
 }
 
+/// One measurement: all samples of some pixels, over and over.
 #[derive(Clone, Copy, Debug)]
-struct Timing<'a> {
-    dimensions: usize,
-    spp: u32,
-    order: Order,
-    pixels: &'a [[u32; 2]],
+pub struct Timing<'a> {
+    pub dimensions: usize,
+    pub spp: u32,
+    pub order: Order,
+    pub pixels: &'a [[u32; 2]],
 }
 
 impl Task for Timing<'_> {
     /// Nanoseconds a number.
     type Output = f64;
 
-    fn run(&self, sampler: &impl Sampler) -> f64 {
-        if self.order == Order::Batch {
-            return match self.dimensions {
-                1 => self.time(sampler, |pixel, out| sampler.fill_1(pixel, 0, 0, out)),
-                2 => self.time(sampler, |pixel, out| sampler.fill_2(pixel, 0, 0, out)),
-                4 => self.time(sampler, |pixel, out| sampler.fill_4(pixel, 0, 0, out)),
-                _ => self.time(sampler, |pixel, out: &mut [[f32; 8]]| {
-                    // Two domains, one after the other.
-                    let (first, second) = out.as_flattened_mut().as_chunks_mut::<4>().0.split_at_mut(self.spp as usize);
-                    sampler.fill_4(pixel, 0, 0, first);
-                    sampler.fill_4(pixel, 1, 0, second);
-                }),
-            };
-        }
-        match self.dimensions {
-            1 => self.each(sampler, |pixel, index, out| *out = sampler.draw_1(pixel, 0, index)),
-            2 => self.each(sampler, |pixel, index, out| *out = sampler.draw_2(pixel, 0, index)),
-            4 => self.each(sampler, |pixel, index, out| *out = sampler.draw_4(pixel, 0, index)),
-            _ => self.each(sampler, |pixel, index, out: &mut [f32; 8]| {
-                out[..4].copy_from_slice(&sampler.draw_4(pixel, 0, index));
-                out[4..].copy_from_slice(&sampler.draw_4(pixel, 1, index));
+    fn run<S: Sampler>(&self, make: fn(u32, u32) -> S) -> f64 {
+        match (self.order, self.dimensions) {
+            (Order::Batch, 1) => self.time(make, |pixel, out: &mut [[f32; 1]]| pixel.fill(0, 0, out)),
+            (Order::Batch, 2) => self.time(make, |pixel, out: &mut [[f32; 2]]| pixel.fill(0, 0, out)),
+            (Order::Batch, 4) => self.time(make, |pixel, out: &mut [[f32; 4]]| pixel.fill(0, 0, out)),
+            (Order::Batch, _) => self.time(make, |pixel, out: &mut [[f32; 8]]| {
+                // Two domains, one after the other.
+                let (first, second) = out.as_flattened_mut().as_chunks_mut::<4>().0.split_at_mut(self.spp as usize);
+                pixel.fill(0, 0, first);
+                pixel.fill(1, 0, second);
+            }),
+            (_, 1) => self.each(make, |pixel, index| pixel.draw::<1>(0, index)),
+            (_, 2) => self.each(make, |pixel, index| pixel.draw::<2>(0, index)),
+            (_, 4) => self.each(make, |pixel, index| pixel.draw::<4>(0, index)),
+            (_, _) => self.each(make, |pixel, index| {
+                let mut both = [0.0; 8];
+                both[..4].copy_from_slice(&pixel.draw::<4>(0, index));
+                both[4..].copy_from_slice(&pixel.draw::<4>(1, index));
+                both
             }),
         }
     }
@@ -68,29 +67,36 @@ impl Task for Timing<'_> {
 impl Timing<'_> {
     /// Draw by draw.
     #[inline]
-    fn each<S: Sampler, const D: usize>(&self, sampler: &S, draw: impl Fn(S::Pixel, u32, &mut [f32; D])) -> f64 {
-        self.time(sampler, |pixel, out| {
+    fn each<S: Sampler, const D: usize>(
+        &self,
+        make: fn(u32, u32) -> S,
+        draw: impl Fn(S::Pixel, u32) -> [f32; D],
+    ) -> f64 {
+        self.time(make, |pixel, out| {
             for (index, out) in (0..).zip(out) {
-                draw(pixel, index, out);
+                *out = draw(pixel, index);
             }
         })
     }
 
     /// `set` writes all samples of a pixel.
     #[inline]
-    fn time<S: Sampler, const D: usize>(&self, sampler: &S, set: impl Fn(S::Pixel, &mut [[f32; D]])) -> f64 {
+    fn time<S: Sampler, const D: usize>(
+        &self,
+        make: fn(u32, u32) -> S,
+        set: impl Fn(S::Pixel, &mut [[f32; D]]),
+    ) -> f64 {
         let mut buffer = vec![[0.0; D]; BUFFER / D];
-        let made = black_box(sampler.make(black_box(7), black_box(self.spp)));
+        let made = black_box(make(black_box(7), black_box(self.spp)));
         let spp = black_box(self.spp) as usize;
-        let pixels = &self.pixels[..SAMPLES as usize / spp];
         let start = Instant::now();
-        for run in pixels.chunks((buffer.len() / spp).max(1)) {
+        for run in self.pixels.chunks((buffer.len() / spp).max(1)) {
             for (&[x, y], out) in run.iter().zip(buffer.chunks_exact_mut(spp)) {
-                set(sampler.pixel(&made, x, y, 0), out);
+                set(made.pixel(x, y, 0), out);
             }
             black_box(&mut buffer);
         }
-        start.elapsed().as_secs_f64() * 1e9 / f64::from(SAMPLES) / D as f64
+        start.elapsed().as_secs_f64() * 1e9 / (self.pixels.len() * spp * D) as f64
     }
 }
 
@@ -117,7 +123,8 @@ pub fn measure(names: &[&'static str], rounds: usize) -> Speeds {
     let mut timings = Vec::new();
     for (order, pixels) in [(Order::Rows, &by_rows), (Order::Random, &anywhere), (Order::Batch, &by_rows)] {
         for dimensions in DIMENSIONS {
-            timings.extend(SPP.map(|spp| Timing { dimensions, spp, order, pixels }));
+            let enough = |spp: u32| &pixels[..(SAMPLES / spp) as usize];
+            timings.extend(SPP.map(|spp| Timing { dimensions, spp, order, pixels: enough(spp) }));
         }
     }
     let mut times = vec![vec![Vec::new(); names.len()]; timings.len()];
@@ -148,9 +155,26 @@ fn median(mut values: Vec<f64>) -> f64 {
 impl Speeds {
     /// Nanoseconds a number, by rows, of a sampler; between the measured sample counts the nearest above.
     pub fn of(&self, name: &str, dimensions: usize, spp: u32) -> Option<f64> {
+        self.by(Order::Rows, name, dimensions, spp)
+    }
+
+    /// Nanoseconds that a pixel's whole set takes by whichever call is the faster, one draw after the other or all at once;
+    /// between the measured sample counts on a line.
+    pub fn of_set(&self, name: &str, dimensions: usize, spp: u32) -> Option<f64> {
+        let at = SPP.iter().position(|s| *s >= spp).unwrap_or(SPP.len() - 1);
+        let [low, high] = [SPP[at.saturating_sub(1)], SPP[at]];
+        let set = |spp: u32| {
+            let times = [Order::Rows, Order::Batch].map(|order| self.by(order, name, dimensions, spp));
+            Some(times.into_iter().flatten().reduce(f64::min)? * dimensions as f64 * f64::from(spp))
+        };
+        let part = if low == high { 0.0 } else { (f64::from(spp) - f64::from(low)) / f64::from(high - low) };
+        Some(set(low)? * (1.0 - part) + set(high)? * part)
+    }
+
+    fn by(&self, order: Order, name: &str, dimensions: usize, spp: u32) -> Option<f64> {
         let sampler = self.names.iter().position(|n| *n == name)?;
         let spp = SPP.into_iter().find(|s| *s >= spp).unwrap_or(SPP[SPP.len() - 1]);
-        let found = |row: &&Setting| row.order == Order::Rows && row.dimensions == dimensions && row.spp == spp;
+        let found = |row: &&Setting| row.order == order && row.dimensions == dimensions && row.spp == spp;
         self.rows.iter().find(found).map(|row| row.nanoseconds[sampler])
     }
 
@@ -176,25 +200,37 @@ impl Speeds {
     /// One row a sampler; with `over`, ratios to the time of that sampler.
     fn table(&self, id: &str, title: &str, order: Order, over: Option<&str>) -> Table {
         let rows: Vec<&Setting> = self.rows.iter().filter(|row| row.order == order).collect();
-        let heads = rows.iter().map(|row| format!("{}D, {}", row.dimensions, row.spp));
-        let line = |(k, name): (usize, &&str)| {
-            let cell = |row: &&Setting| match over {
-                None => format!("{:.2}", row.nanoseconds[k]),
-                Some("sobol_burley") => {
-                    format!("{:.2}", row.nanoseconds[k] / self.of("sobol_burley", 4, row.spp).unwrap_or(1.0))
-                }
-                Some(other) => {
-                    format!("{:.2}", row.nanoseconds[k] / self.of(other, row.dimensions, row.spp).unwrap_or(1.0))
-                }
+        let heads: Vec<(usize, u32)> = rows.iter().map(|row| (row.dimensions, row.spp)).collect();
+        let about = "Written to a buffer, one thread, baseline target, median of rounds that take turns.";
+        table([id, title, about], &self.names, &heads, |name, column| {
+            let Setting { dimensions, spp, nanoseconds, .. } = rows[column];
+            let unit = match over {
+                None => Some(1.0),
+                // Its numbers come by fours.
+                Some("sobol_burley") => self.of("sobol_burley", 4, *spp),
+                Some(other) => self.of(other, *dimensions, *spp),
             };
-            core::iter::once((*name).to_string()).chain(rows.iter().map(cell)).collect()
-        };
-        Table {
-            id: id.into(),
-            title: title.into(),
-            about: "Numbers a sample and samples per pixel; written to a buffer, one thread, baseline target, median of rounds that take turns.".into(),
-            head: core::iter::once("sampler".to_string()).chain(heads).collect(),
-            rows: self.names.iter().enumerate().map(line).collect(),
-        }
+            format!("{:.2}", nanoseconds[name] / unit.unwrap_or(1.0))
+        })
+    }
+}
+
+/// A row a sampler, a column for each number of dimensions and of samples.
+pub fn table(
+    [id, title, about]: [&str; 3],
+    names: &[&'static str],
+    heads: &[(usize, u32)],
+    cell: impl Fn(usize, usize) -> String,
+) -> Table {
+    let row = |(k, name): (usize, &&str)| {
+        core::iter::once((*name).to_string()).chain((0..heads.len()).map(|column| cell(k, column))).collect()
+    };
+    let heads = heads.iter().map(|(dimensions, spp)| format!("{dimensions}D, {spp}"));
+    Table {
+        id: id.into(),
+        title: title.into(),
+        about: format!("Numbers a sample and samples per pixel. {about}"),
+        head: core::iter::once("sampler".to_string()).chain(heads).collect(),
+        rows: names.iter().enumerate().map(row).collect(),
     }
 }

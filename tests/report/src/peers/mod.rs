@@ -1,21 +1,23 @@
 //! What people use today, in the call shape of the crate, so that one list holds all.
 //!
-//! Two are packages, the others are written anew from the published descriptions. Each pixel type has
+//! Three are packages, the others are written anew from the published descriptions. Each pixel type has
 //! `pair(self, pair, index)` for pairs of dimensions 0, 1, 2, …: a domain has two of them.
 
 mod cycles;
 mod heitz;
 mod pbrt;
 mod pcg;
+mod rand;
 mod random_pattern;
 mod sobol_burley;
 
-pub use cycles::Cycles;
-pub use heitz::Heitz;
-pub use pbrt::Pbrt;
-pub use pcg::Pcg;
-pub use random_pattern::RandomPattern;
-pub use sobol_burley::SobolBurley;
+pub use cycles::{Cycles, CyclesPixel};
+pub use heitz::{Heitz, HeitzPixel};
+pub use pbrt::{Pbrt, PbrtPixel};
+pub use pcg::{Pcg, PcgPixel};
+pub use rand::{Rand, RandPixel};
+pub use random_pattern::{RandomPattern, RandomPatternPixel};
+pub use sobol_burley::{SobolBurley, SobolBurleyPixel};
 
 /// `draw` of a pixel from its pairs.
 macro_rules! draws {
