@@ -18,9 +18,6 @@ static MASK: ScalarMask<64> = {
     ScalarMask::new(ranks)
 };
 
-/// The ends of the range of a threshold.
-const EXTREMES: [u32; 5] = [0, 1, 0x7fff_ffff, 0x8000_0000, u32::MAX];
-
 /// Bayer's matrix as a mask of one's own.
 fn bayer<const S: usize>() -> ScalarMask<S> {
     ScalarMask::new(core::array::from_fn(|y| core::array::from_fn(|x| naive_rank(x, y, S) as u16)))
@@ -382,7 +379,7 @@ mod gamma {
 
     #[test]
     fn ends_and_nonsense_are_defined() {
-        for threshold in EXTREMES {
+        for threshold in [0, 1, 0x7fff_ffff, 0x8000_0000, u32::MAX] {
             assert_eq!(level(0, 255, 4, threshold), 0);
             assert_eq!(level(255, 255, 4, threshold), 3);
             assert_eq!(level(300, 255, 4, threshold), 3);
