@@ -40,6 +40,7 @@
 //! | one dimension at a time, few samples, hard steps | [`Dithered`]`::with_spp` |
 //! | no room for 4 KiB of constants | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
+//! | a display of few levels, an e-ink panel, banding | [`Dither`] |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | a renderer that stops when it likes, often after one sample, and 16 KB | [`Keyed`] (feature `keys-64`) |
 //! | a rank-1 lattice, up to 4 samples per pixel | [`Rank1`] (feature `lattice-64`) |
@@ -77,10 +78,13 @@
 //! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
 //! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
+//! | `float` | rows of `f32` in [`dither`] | |
+//! | `gamma` | [`dither`] in linear light | 512 |
+//! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
 //! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`sobol`], [`linear`],
-//! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`],
+//! [`zorder`], [`lattice`], [`dither`], [`strata`], [`shift`], [`hash`], [`torus`],
 //! [`unit`](mod@unit), and masks of your own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
@@ -94,6 +98,7 @@
 //! Postfixes: `_fx` 0.32 fixed point, `_log2`, `_rev` bit-reversed.
 #![no_std]
 
+pub mod dither;
 pub mod effort;
 pub mod hash;
 pub mod keys;
@@ -115,6 +120,7 @@ pub mod warp;
 pub mod zorder;
 
 pub use keys::Keys;
+pub use dither::Dither;
 pub use mask::{ScalarMask, VectorMask};
 pub use sampler::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder};
 

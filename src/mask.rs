@@ -8,7 +8,7 @@ use crate::{torus, unit};
 
 /// The 0.32 value of a rank in a mask of 2^`size_log2` squared pixels: the centre of its cell.
 #[inline]
-const fn value_fx(rank: u16, size_log2: u32) -> u32 {
+pub(crate) const fn value_fx(rank: u16, size_log2: u32) -> u32 {
     (2 * rank as u32 + 1) << (31 - 2 * size_log2)
 }
 

@@ -5,9 +5,10 @@
 #![no_std]
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
+use bluedither::dither::{Samples, alpha, ordered, quantise};
 use bluedither::keys_2019::Tables2019;
 use bluedither::{
-    Constant, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
+    Constant, Dither, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
 };
 
 unsafe extern "C" {
@@ -73,8 +74,33 @@ pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
     sum ^= strata::regular_1d(a, b) ^ strata::regular_2d(a, b)[0] ^ shift::global([a, b], [b, c])[1];
     sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
     sum ^= lattice::fixed(a, b, c) ^ lattice::extensible(a, b) ^ zorder::first_index(a) ^ hash::shuffle_rev(a, b);
-    sum ^= hash::owen_4(a, b) ^ linear::digits(&[a; 10], b, c);
+    sum ^= hash::owen_4(a, b) ^ linear::digits(&[a; 10], &linear::places(b, c)[1]);
     sum ^ unit::from_f32(unit::to_f32(a)) ^ torus::wrap(a, b)
+}
+
+/// Rows of every format, with lengths that only the caller knows.
+#[unsafe(no_mangle)]
+pub extern "C" fn halftones(seed: u32, y: u32, samples: usize, room: usize, bytes: &mut [u8; 256]) -> u32 {
+    let (source, mut words, mut levels) = (*bytes, [0; 99], [[0; 3]; 99]);
+    let Some(source) = source.get(..samples) else { return 0 };
+    let Some(dst) = bytes.get_mut(..room) else { return 0 };
+    let mut errors = 0;
+    for dither in [
+        Dither::blue(&THRESHOLD_64).frame(seed).origin(seed, y),
+        Dither::constant(seed),
+        Dither::random(seed),
+        Dither::ordered(seed).triangular(),
+    ] {
+        errors += dither.gray1_row(y, source, dst).is_err() as u32 + dither.gray2_row(y, source, dst).is_err() as u32;
+        errors += dither.gray4_row(y, source, dst).is_err() as u32 + dither.rgb332_row(y, source, dst).is_err() as u32;
+        errors += dither.rgb565_row(y, source, &mut words).is_err() as u32;
+        errors += dither.rgb888_row(y, Samples::U10(&words), dst).is_err() as u32;
+        errors += dither.levels_row(y, source, [seed as u16; 3], &mut levels).is_err() as u32;
+        errors += dither.stencil_row(y, source, dst).is_err() as u32;
+        errors += alpha::over_row(source, [1, 2, 3], &mut words).is_err() as u32;
+        errors += u32::from(dither.level(y, seed, seed, seed as u16, y as u16, samples as u16));
+    }
+    errors + u32::from(quantise::value(seed as u16, y as u16, samples as u16)) + ordered::value_fx(seed, y, seed)
 }
 
 /// Warps.
