@@ -67,6 +67,9 @@
 //! | `sobol-64` | | 8,192 |
 //! | `sobol-256` | | 32,768 |
 //! | `sobol-1024` | | 131,072 |
+//! | `threshold-over-time-32` | `frames::masks`: a mask for each of 32 frames; see the caution in `frames` | 65,536 |
+//! | `threshold-over-time-64` | the same for each of 16 | 131,072 |
+//! | `seed-permutation` | `frames::seeds`: swaps of seeds between frames; see the caution there | 8,192 |
 //! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
 //! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
@@ -87,7 +90,10 @@
 //! Postfixes: `_fx` 0.32 fixed point, `_log2`, `_rev` bit-reversed.
 #![no_std]
 
+pub mod candidate;
 pub mod effort;
+#[cfg(any(feature = "seed-permutation", feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
+pub mod frames;
 pub mod hash;
 pub mod lattice;
 pub mod linear;

@@ -82,6 +82,12 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
         ($table:ident, scalar) => {
             bluedither::tables::$table.ranks().as_flattened().to_vec()
         };
+        ($table:ident, frames) => {
+            bluedither::tables::$table.frames().iter().flat_map(|mask| mask.ranks().as_flattened().to_vec()).collect()
+        };
+        ($table:ident, codes) => {
+            bluedither::tables::$table.codes().as_flattened().to_vec()
+        };
         ($table:ident, vector) => {
             bluedither::tables::$table.ranks().as_flattened().as_flattened().to_vec()
         };
@@ -99,6 +105,9 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     table!("offset-2d-32", "offset_2d_32", OFFSET_2D_32, vector);
     table!("offset-2d-64", "offset_2d_64", OFFSET_2D_64, vector);
     table!("offset-2d-128", "offset_2d_128", OFFSET_2D_128, vector);
+    table!("threshold-over-time-32", "threshold_over_time_32", THRESHOLD_OVER_TIME_32, frames);
+    table!("threshold-over-time-64", "threshold_over_time_64", THRESHOLD_OVER_TIME_64, frames);
+    table!("seed-permutation", "seed_permutation", SEED_PERMUTATION, codes);
     assert_eq!(
         known,
         bake::recipe::all().into_iter().map(Recipe::name).collect::<Vec<_>>(),
