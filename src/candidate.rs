@@ -32,13 +32,14 @@ const CANDIDATES: u32 = 100;
 const KEPT: usize = 10;
 
 /// Offsets of the pixels of the first step and of the second: to the right, and rows up.
-const NEAR: [(isize, usize); 4] = [(-1, 0), (-1, 1), (0, 1), (1, 1)];
-const FAR: [(isize, usize); 8] = [(-2, 0), (-2, 1), (2, 1), (-2, 2), (-1, 2), (0, 2), (1, 2), (2, 2)];
+const NEAR: [(isize, u32); 4] = [(-1, 0), (-1, 1), (0, 1), (1, 1)];
+const FAR: [(isize, u32); 8] = [(-2, 0), (-2, 1), (2, 1), (-2, 2), (-1, 2), (0, 2), (1, 2), (2, 2)];
 
 /// Fills row `y` of a picture with one sample of D numbers a pixel, 0.32 fixed point; D = 1..4, more is a compile error.
 ///
 /// `above` are the row before the last and the last one. Rows 0 and 1 have fewer neighbours: what `above` holds then is not
 /// read. Where a row above is shorter, neighbours are missing as at the picture's edge.
+#[expect(clippy::cast_possible_truncation, reason = "a hash of the place: far pixels of an endless row may agree")]
 pub fn fill_row<const D: usize>(seed: u32, y: u32, above: [&[[u32; D]]; 2], row: &mut [[u32; D]]) {
     const { assert!(D >= 1 && D <= 4, "a sample has 1 to 4 dimensions") };
     let mut x = 0;
@@ -94,11 +95,10 @@ struct Neighbours<const D: usize, const N: usize> {
 }
 
 impl<const D: usize, const N: usize> Neighbours<D, N> {
-    fn new(offsets: [(isize, usize); N], x: usize, y: u32, above: [&[[u32; D]]; 2], row: &[[u32; D]]) -> Self {
-        let sample = |(right, up): (isize, usize)| {
+    fn new(offsets: [(isize, u32); N], x: usize, y: u32, above: [&[[u32; D]]; 2], row: &[[u32; D]]) -> Self {
+        let sample = |(right, up): (isize, u32)| {
             let rows = [row, above[1], above[0]];
-            let there = up as u32 <= y;
-            rows.get(up).filter(|_| there).and_then(|row| row.get(x.checked_add_signed(right)?)).copied()
+            rows.get(up as usize).filter(|_| up <= y).and_then(|row| row.get(x.checked_add_signed(right)?)).copied()
         };
         Self { samples: offsets.map(sample) }
     }

@@ -37,10 +37,10 @@ fn twin<const D: usize>(
     for p in 0..width * height {
         let (x, y) = ((p % width) as i64, (p / width) as i64);
         let (mut near, mut far) = (Vec::new(), Vec::new());
-        for q in 0..p {
+        for (q, &sample) in all.iter().enumerate() {
             let (dx, dy) = ((q % width) as i64 - x, (q / width) as i64 - y);
             if dx.abs() <= 2 && dy >= -2 {
-                if dx.abs().max(-dy) == 1 { near.push(all[q]) } else { far.push(all[q]) }
+                if dx.abs().max(-dy) == 1 { near.push(sample) } else { far.push(sample) }
             }
         }
         let least = |sample: [u32; D], set: &[[u32; D]]| {
@@ -91,8 +91,11 @@ fn short_rows_above_are_edges() {
     assert!(row.iter().all(|&sample| sample != [0, 0]));
 }
 
+/// The integral and the integrand.
+type Integrand<const D: usize> = (f64, fn([f64; D]) -> f64);
+
 /// Root of the mean square gain of the integrands, at both sigmas.
-fn gain<const D: usize>(seeds: core::ops::Range<u32>, integrands: &[(f64, fn([f64; D]) -> f64)]) -> [f64; 2] {
+fn gain<const D: usize>(seeds: core::ops::Range<u32>, integrands: &[Integrand<D>]) -> [f64; 2] {
     let mut sums = [0.0; 2];
     let count = seeds.len() * integrands.len();
     for seed in seeds {

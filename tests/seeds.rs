@@ -153,7 +153,8 @@ fn swaps_are_disjoint() {
         for p in 0..4096u32 {
             if let Some((right, down)) = SEED_PERMUTATION.partner(round, p & 63, p >> 6) {
                 assert!(right.abs() <= 2 && down <= 2 && (down > 0 || right > 0), "{right}, {down}");
-                let q = ((p >> 6) as usize + down & 63) << 6 | (p as usize & 63).wrapping_add_signed(right) & 63;
+                let (x, y) = ((p as usize % 64 + 64).wrapping_add_signed(right) % 64, (p as usize / 64 + down) % 64);
+                let q = y * 64 + x;
                 pairs[p as usize] += 1;
                 pairs[q] += 1;
             }

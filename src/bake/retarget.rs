@@ -65,5 +65,6 @@ fn partner(p: usize, code: usize) -> usize {
 
 /// The pixel so far to the right and down on the torus.
 fn further(p: usize, right: usize, down: usize) -> usize {
-    ((p >> 6) + down & 63) << 6 | (p & 63) + right & 63
+    let (x, y) = (p % 64 + right, p / 64 + down);
+    y % 64 * 64 + x % 64
 }

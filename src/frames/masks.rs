@@ -4,8 +4,14 @@
 //! every step, so that each is a permutation of its ranks as a still mask is. After the last frame the first follows.
 //!
 //! For one number a pixel and frame (a threshold, a ray-march start) whose frames are averaged by the eye, by a filter or
-//! over time. Against moving the look-up of a still mask from frame to frame, as the samplers do: a single frame has some
-//! two fifths more error after a Gaussian of 1 pixel, the mean of 4 frames a third, of 16 a fourth of it.
+//! over time. Error of smooth integrands over that of one frame of white noise, unfiltered and after a Gaussian of 1 pixel:
+//!
+//! | mean of | 1 frame | 2 | 4 | 16 |
+//! |---|---|---|---|---|
+//! | a mask over time, 64×64×16 | 1 / .22 | .47 / .12 | .23 / .06 | .04 / .02 |
+//! | a still mask, its place moved (the samplers' `frame`) | 1 / .17 | .70 / .12 | .49 / .08 | .24 / .04 |
+//! | a still mask, its values moved by the golden ratio | 1 / .41 | .53 / .28 | .32 / .18 | .08 / .06 |
+//! | white noise | 1 / 1 | .71 / .71 | .5 / .5 | .25 / .25 |
 //!
 //! ```
 //! # #[cfg(feature = "threshold-over-time-64")] {

@@ -88,6 +88,7 @@ pub const fn begins_block<const SIDE: usize>(row: u32, frame: u32) -> bool {
 ///
 /// The pairs are disjoint, so this is a bijection whatever part of the picture the slice holds: pairs that reach beyond
 /// it stay.
+#[expect(clippy::cast_possible_truncation, reason = "the mask repeats")]
 pub fn retarget(seeds: &mut [u32], rows: Rows, frame: u32) {
     let (width, height) = extent(seeds.len(), rows);
     let [dx, dy] = SEED_PERMUTATION.place(frame);
@@ -132,6 +133,7 @@ const fn origin<const SIDE: usize>(frame: u32) -> [usize; 2] {
     }
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "the mask repeats")]
 fn sort_block<const SIDE: usize>(
     seeds: &mut [u32],
     estimates: &[f32],
