@@ -10,7 +10,7 @@
 //! dimension the variance of the values is .104 instead of .0833.
 //!
 //! For comparison: pixels depend on all before them, so there is no random access and one sample a pixel; a mask of the
-//! same dimension leaves half the error and costs a look-up. About 2 µs a pixel.
+//! same dimension leaves half the error and costs a look-up. Some 2 µs a pixel.
 //!
 //! ```
 //! use bluedither::{candidate, unit};

@@ -40,6 +40,8 @@
 //! | one dimension at a time, few samples, hard steps | [`Dithered`]`::with_spp` |
 //! | no room for 4 KiB of constants | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
+//! | the same, and frames that are averaged | a mask over time (feature `threshold-over-time-64`, see `frames::masks`) |
+//! | frames of paths of many dimensions | `White` of a seed a pixel, permuted (feature `seed-permutation`, see `frames::seeds`) |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | a picture without smooth parts | [`White`] |
 //! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
@@ -75,7 +77,7 @@
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`sobol`], [`linear`],
+//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`sobol`], [`linear`],
 //! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`],
 //! [`unit`](mod@unit), and masks of your own.
 //!

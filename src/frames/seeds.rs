@@ -26,8 +26,8 @@
 //! ```
 //!
 //! In place, without allocation, for pictures of any size: 64 seeds at a time are on the stack. Rows may be given in
-//! parts, to [`sort`] and [`retarget`] themselves. Every frame costs a pass of sorting and three of swaps, some
-//! 15 ns a pixel with blocks of 8×8].
+//! parts, to [`sort`] and [`retarget`] themselves. Every frame costs a pass of sorting and three of swaps: two to
+//! three times what one pair of numbers of [`Sampler`](crate::Sampler) costs, some 30 ns a pixel.
 
 use crate::tables::{SEED_PERMUTATION, THRESHOLD_64};
 
@@ -54,7 +54,7 @@ pub fn permute<const SIDE: usize>(seeds: &mut [u32], estimates: &[f32], width: u
 
 /// Sorts the seeds of every block of SIDE×SIDE pixels, 2, 4 or 8 a side, by estimate, into the order of the mask.
 ///
-/// 8 leaves the least error; 4 keeps seeds closer together, for pictures with detail, and costs less than half.
+/// 8 leaves the least error; 4 keeps seeds closer together, for pictures with detail.
 ///
 /// Blocks at the ends of rows and of the slice are smaller. Parts of a picture give what the whole would if each begins
 /// where [`begins_block`] says so.
@@ -144,23 +144,23 @@ fn sort_block<const SIDE: usize>(
 ) {
     let [dx, dy] = SEED_PERMUTATION.place(frame);
     // What is not filled comes last in either order.
-    let (mut held, mut found, mut wanted) = ([[0; SIDE]; SIDE], [[u32::MAX; SIDE]; SIDE], [[u32::MAX; SIDE]; SIDE]);
+    let (mut held, mut found, mut wanted) = ([[0; SIDE]; SIDE], [[i32::MAX; SIDE]; SIDE], [[i32::MAX; SIDE]; SIDE]);
     let all = held.as_flattened_mut().iter_mut().zip(found.as_flattened_mut()).zip(wanted.as_flattened_mut());
     for (((held, found), wanted), (x, y)) in all.zip(pixels([left, right], [top, bottom])) {
         let pixel = y * rows.width as usize + x;
         *held = seeds.get(pixel).copied().unwrap_or(0);
-        *found = estimates.get(pixel).map_or(u32::MAX, |&estimate| ordered(estimate));
+        *found = estimates.get(pixel).map_or(i32::MAX, |&estimate| ordered(estimate));
         let (x, y) = (dx.wrapping_add(x as u32), dy.wrapping_add(rows.first).wrapping_add(y as u32));
         *wanted = THRESHOLD_64.rank(x, y).into();
     }
     let mut sorted = [[0; SIDE]; SIDE];
     for (&seed, place) in held.as_flattened().iter().zip(places(&found).as_flattened()) {
-        if let Some(seat) = sorted.as_flattened_mut().get_mut(usize::from(*place)) {
+        if let Some(seat) = sorted.as_flattened_mut().get_mut(place.cast_unsigned() as usize) {
             *seat = seed;
         }
     }
     for (place, (x, y)) in places(&wanted).as_flattened().iter().zip(pixels([left, right], [top, bottom])) {
-        let seed = sorted.as_flattened().get(usize::from(*place));
+        let seed = sorted.as_flattened().get(place.cast_unsigned() as usize);
         if let (Some(to), Some(&seed)) = (seeds.get_mut(y * rows.width as usize + x), seed) {
             *to = seed;
         }
@@ -173,18 +173,19 @@ fn pixels([left, right]: [usize; 2], [top, bottom]: [usize; 2]) -> impl Iterator
 }
 
 /// An integer that is in the order of the floats, those that are undefined at the ends.
-const fn ordered(estimate: f32) -> u32 {
-    let bits = estimate.to_bits();
-    if bits >> 31 == 1 { !bits } else { bits | 1 << 31 }
+const fn ordered(estimate: f32) -> i32 {
+    let bits = estimate.to_bits().cast_signed();
+    if bits < 0 { bits ^ i32::MAX } else { bits }
 }
 
-/// Every key's place in their order; of equal ones the first comes first. By counting, which has no branch: for 64 keys as
-/// quick as sorting.
-fn places<const SIDE: usize>(keys: &[[u32; SIDE]; SIDE]) -> [[u8; SIDE]; SIDE] {
+/// Every key's place in their order; of equal ones the first comes first. By counting, which has no branch.
+fn places<const SIDE: usize>(keys: &[[i32; SIDE]; SIDE]) -> [[i32; SIDE]; SIDE] {
     let mut places = [[0; SIDE]; SIDE];
-    for (i, (place, &key)) in places.as_flattened_mut().iter_mut().zip(keys.as_flattened()).enumerate() {
-        let before = |(j, &other): (usize, &u32)| u8::from(other < key || other == key && j < i);
-        *place = keys.as_flattened().iter().enumerate().map(before).sum();
+    let keys = keys.as_flattened();
+    for (i, (place, &key)) in places.as_flattened_mut().iter_mut().zip(keys).enumerate() {
+        let less: i32 = keys.iter().map(|&other| i32::from(other < key)).sum();
+        let before = keys.get(..i).unwrap_or_default();
+        *place = less + before.iter().map(|&other| i32::from(other == key)).sum::<i32>();
     }
     places
 }
