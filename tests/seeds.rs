@@ -1,5 +1,5 @@
 //! Seed permutation: no seed is ever lost, blocks are in the order of the mask, and what it is for.
-#![cfg(feature = "seed-permutation")]
+#![cfg(all(feature = "seed-permutation", feature = "warp"))] // which the room of paths needs
 #![allow(
     clippy::cast_possible_truncation,
     clippy::std_instead_of_core,
