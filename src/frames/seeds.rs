@@ -9,8 +9,9 @@
 //! permute: each seed is used once a frame, as it was before, so estimates stay unbiased over random first seeds.
 //!
 //! For paths of many bounces, where samplers have nothing to offer over several pixels. It needs frames that resemble
-//! each other: after a cut it starts anew, where the picture moves by more than a few pixels a frame or is rough it does
-//! nothing, and it does no harm. The blocks begin elsewhere in every frame.
+//! each other: after a cut it starts anew, and where the picture is rough, or moves by more than what is alike in it, the
+//! error stays white; two pixels a frame take nothing in a smooth room. Best at one sample a pixel: of 16, less is left to
+//! sort (.7 of white's filtered error instead of .55, in a small picture). The blocks begin elsewhere in every frame.
 //!
 //! ```
 //! use bluedither::{White, frames::seeds};
