@@ -89,8 +89,9 @@ fn bake_one(recipe: Recipe, effort: Effort, inputs: &Inputs, digests: &Digests) 
     let ranks = recipe.bake(effort, inputs);
     let time = start.elapsed().as_millis();
     let name = recipe.name();
-    let gain = bake::quality::gain(&ranks, recipe.channels(), recipe.size());
-    println!("baked {name}: {} bytes, gain {gain:.3} at sigma 1 (white is 1), {time} ms beside others", recipe.bytes());
+    let gain = recipe.still(&ranks).map(|still| bake::quality::gain(still, recipe.channels(), recipe.size()));
+    let gain = gain.map_or_else(String::new, |gain| format!(", gain {gain:.3} at sigma 1 (white is 1)"));
+    println!("baked {name}: {} bytes{gain}, {time} ms beside others", recipe.bytes());
     if digests.get(effort.name(), &name) != Some(bake::digest::of_ranks(&ranks)) {
         println!("cargo::warning={name} differs from its recorded digest: renders will not match other builds' bits");
     }

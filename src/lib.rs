@@ -41,6 +41,8 @@
 //! | no room for 4 KiB of constants | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | a display of few levels, an e-ink panel, banding | [`Dither`] |
+//! | the same, and frames that are averaged | a mask over time (feature `threshold-over-time-64`, see `frames::masks`) |
+//! | frames of paths of many dimensions | `White` of a seed a pixel, permuted (feature `seed-permutation`, see `frames::seeds`) |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | a renderer that stops when it likes, often after one sample, and 16 KB | [`Keyed`] (feature `keys-64`) |
 //! | a rank-1 lattice, up to 4 samples per pixel | [`Rank1`] (feature `lattice-64`) |
@@ -75,6 +77,9 @@
 //! | `sobol-64` | | 8,192 |
 //! | `sobol-256` | | 32,768 |
 //! | `sobol-1024` | | 131,072 |
+//! | `threshold-over-time-32` | `frames::masks`: a mask for each of 32 frames; see the caution in `frames` | 65,536 |
+//! | `threshold-over-time-64` | the same for each of 16 | 131,072 |
+//! | `seed-permutation` | `frames::seeds`: swaps of seeds between frames; see the caution there | 8,192 |
 //! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
 //! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
@@ -83,7 +88,7 @@
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`sobol`], [`linear`],
+//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`sobol`], [`linear`],
 //! [`zorder`], [`lattice`], [`dither`], [`strata`], [`shift`], [`hash`], [`torus`],
 //! [`unit`](mod@unit), and masks of your own.
 //!
@@ -98,8 +103,11 @@
 //! Postfixes: `_fx` 0.32 fixed point, `_log2`, `_rev` bit-reversed.
 #![no_std]
 
+pub mod candidate;
 pub mod dither;
 pub mod effort;
+#[cfg(any(feature = "seed-permutation", feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
+pub mod frames;
 pub mod hash;
 pub mod keys;
 pub mod keys_2019;
@@ -119,8 +127,8 @@ pub mod unit;
 pub mod warp;
 pub mod zorder;
 
-pub use keys::Keys;
 pub use dither::Dither;
+pub use keys::Keys;
 pub use mask::{ScalarMask, VectorMask};
 pub use sampler::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder};
 

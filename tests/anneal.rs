@@ -225,16 +225,21 @@ fn no_sum_overflows() {
 /// Nothing to improve: constant items, no window, no tries. The energy can not fall, and items stay what they are.
 #[test]
 fn constant_features_and_empty_kernels_end_in_a_permutation() {
-    let problem = Problem::recorded(2, 4);
-    let constant = |value| Problem { features: vec![[[value; 8]; LANES / 8]; 256], ..Problem::recorded(2, 4) };
+    let problem = Problem::recorded(Pattern::Sobol, 4);
+    let constant =
+        |value| Problem { features: vec![[[value; 8]; LANES / 8]; 256], ..Problem::recorded(Pattern::Sobol, 4) };
     let untouched = problem.anneal(0, 3);
     for (name, odd, still) in [
         // No power, no threshold: equally good is not good enough.
         ("all features nothing", constant(0), true),
-        ("a kernel of zeros", Problem { kernel: vec![0; problem.kernel.len()], ..Problem::recorded(2, 4) }, true),
+        (
+            "a kernel of zeros",
+            Problem { kernel: vec![0; problem.kernel.len()], ..Problem::recorded(Pattern::Sobol, 4) },
+            true,
+        ),
         ("all features alike", constant(63), false),
         ("all features alike and negative", constant(-63), false),
-        ("the pixel alone", Problem { kernel: vec![1000], ..Problem::recorded(2, 4) }, false),
+        ("the pixel alone", Problem { kernel: vec![1000], ..Problem::recorded(Pattern::Sobol, 4) }, false),
     ] {
         let mut items = odd.anneal(50, 3);
         assert_eq!(items == untouched, still, "{name}");

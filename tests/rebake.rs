@@ -88,6 +88,12 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
         ($table:ident, keys) => {
             numbers(&bluedither::tables::$table)
         };
+        ($table:ident, frames) => {
+            bluedither::tables::$table.frames().iter().flat_map(|mask| mask.ranks().as_flattened().to_vec()).collect()
+        };
+        ($table:ident, codes) => {
+            bluedither::tables::$table.codes().as_flattened().to_vec()
+        };
         ($table:ident, vector) => {
             bluedither::tables::$table.ranks().as_flattened().as_flattened().to_vec()
         };
@@ -110,6 +116,9 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     table!("keys-64-spp-4", "keys_64_spp_4", KEYS_64_SPP_4, keys);
     table!("keys-64-spp-16", "keys_64_spp_16", KEYS_64_SPP_16, keys);
     table!("lattice-64", "lattice_64", LATTICE_64, vector);
+    table!("threshold-over-time-32", "threshold_over_time_32", THRESHOLD_OVER_TIME_32, frames);
+    table!("threshold-over-time-64", "threshold_over_time_64", THRESHOLD_OVER_TIME_64, frames);
+    table!("seed-permutation", "seed_permutation", SEED_PERMUTATION, codes);
     assert_eq!(
         known,
         bake::recipe::all().into_iter().map(Recipe::name).collect::<Vec<_>>(),

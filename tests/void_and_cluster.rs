@@ -222,3 +222,24 @@ fn every_prefix_is_evenly_spread() {
     assert!(worst < 0.5, "a prefix of variance {worst}");
     assert!(sums[0] < 0.2 * sums[1], "mean {} against {} of random pixels", sums[0] / 993.0, sums[1] / 993.0);
 }
+
+/// Several frames: each holds every rank once, and frames that do not feel each other are as good as still ones.
+#[test]
+fn every_frame_is_a_permutation() {
+    let over_time = |size_log2, frames_log2, time_kernel: &[i32]| {
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
+        void_and_cluster::over_time(size_log2, frames_log2, &kernel(), time_kernel, &mut rng)
+    };
+    for (size_log2, frames_log2) in [(3, 1), (4, 0), (4, 2), (3, 5)] {
+        for time_kernel in [&[0, 700_000, 300_000][..], &[0, 9, 8, 7, 6, 5, 4, 3, 2, 1], &[]] {
+            let ranks = over_time(size_log2, frames_log2, time_kernel);
+            assert_eq!(ranks.len(), 1 << (2 * size_log2 + frames_log2));
+            for frame in ranks.chunks(1 << (2 * size_log2)) {
+                let mut sorted = frame.to_vec();
+                sorted.sort_unstable();
+                assert!(sorted.iter().enumerate().all(|(i, &rank)| i == usize::from(rank)));
+            }
+        }
+    }
+    assert_eq!(over_time(5, 0, &[0, 5, 5]), over_time(5, 0, &[]), "one frame has no other");
+}

@@ -35,6 +35,11 @@ pub struct Arguments {
     #[arg(long, default_value_t = 0)]
     pub frame: u32,
 
+    /// Animate a room of paths of ten bounces instead, so many frames, with white noise and with seeds that change places
+    #[cfg(feature = "seed-permutation")]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub frames: Option<u32>,
+
     /// Folder to write to; it is made if need be
     #[arg(long, default_value = "renders")]
     pub out: PathBuf,

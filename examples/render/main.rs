@@ -26,8 +26,12 @@ mod arguments;
 #[allow(dead_code, reason = "not this program's: tests use the rest")]
 mod energy;
 mod film;
+#[cfg(feature = "seed-permutation")]
+mod frames;
 mod masks;
 mod measure;
+#[cfg(feature = "seed-permutation")]
+mod paths;
 mod progress;
 mod reference;
 mod results;
@@ -51,6 +55,10 @@ fn main() -> ExitCode {
 fn run(arguments: &arguments::Arguments) -> Result<(), Box<dyn Error>> {
     let (size, dimensions, names) = (arguments.size, arguments.dimensions(), arguments.samplers());
     let folders = results::Folders::create(&arguments.out)?;
+    #[cfg(feature = "seed-permutation")]
+    if let Some(count) = arguments.frames {
+        return frames::animate(count, arguments);
+    }
     let scene = Scene::new(size[0], size[1]);
 
     let masks = masks::Masks::anneal(&arguments.spectra(), arguments.swaps, arguments.seed);

@@ -14,4 +14,5 @@ pub mod linear_order;
 pub mod quality;
 pub mod recipe;
 pub mod record;
+pub mod retarget;
 pub mod void_and_cluster;

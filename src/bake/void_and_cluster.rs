@@ -8,6 +8,10 @@
 //! Ulichney's third phase (clusters of the minority of zeros) picks the same pixels as filling voids, since the two
 //! fields add up to a constant.
 //!
+//! Over time there is a tile for every frame. Neighbours in time are the same pixel's, so a one is felt over its own
+//! tile and by its own pixel in the tiles around (Wolfe and others 2022). Each step is taken once in every tile, so that all
+//! of them hold every rank once; the last frame stands before the first.
+//!
 //! The field is a sum of integer kernel weights, so it never drifts and ties are real; the first pixel wins them.
 
 use rand::Rng;
@@ -26,47 +30,107 @@ fn initial_ones(area: usize) -> usize {
 ///
 /// `kernel[r²]` is the weight at squared distance r², zero past its end.
 pub fn void_and_cluster(size_log2: u32, kernel: &[i32], rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
-    let area = 1usize << (2 * size_log2);
-    let window = Window::new(kernel);
-    let mut field = vec![0i32; area];
+    over_time(size_log2, 0, kernel, &[], rng)
+}
 
-    let mut ones = 0;
-    while ones < initial_ones(area) {
-        let pixel = (rng.next_u64() >> (64 - 2 * size_log2)) as usize;
-        if field[pixel] < ONE {
-            window.splat(&mut field, size_log2, pixel, 1);
-            ones += 1;
+/// The same of 2^`frames_log2` tiles, one after the other; `time_kernel[t]` is the weight at t frames' distance, and that
+/// at 0 is not read.
+pub fn over_time(
+    size_log2: u32,
+    frames_log2: u32,
+    kernel: &[i32],
+    time_kernel: &[i32],
+    rng: &mut Xoshiro256PlusPlus,
+) -> Vec<u16> {
+    let (area, frames) = (1usize << (2 * size_log2), 1usize << frames_log2);
+    let mut space = Space { window: Window::new(kernel), time_kernel, size_log2, field: vec![0; area * frames] };
+    let ones = initial_ones(area);
+
+    for frame in 0..frames {
+        let mut scattered = 0;
+        while scattered < ones {
+            let pixel = (rng.next_u64() >> (64 - 2 * size_log2)) as usize;
+            if space.tile(frame)[pixel] < ONE {
+                space.splat(frame, pixel, 1);
+                scattered += 1;
+            }
         }
     }
-    loop {
-        let cluster = argmax(&field);
-        window.splat(&mut field, size_log2, cluster, -1);
-        let void = argmin(&field);
-        window.splat(&mut field, size_log2, void, 1);
-        if void == cluster {
-            break;
+    let mut moved = true;
+    while moved {
+        moved = false;
+        for frame in 0..frames {
+            let cluster = argmax(space.tile(frame));
+            space.splat(frame, cluster, -1);
+            let void = argmin(space.tile(frame));
+            space.splat(frame, void, 1);
+            moved |= void != cluster;
         }
     }
 
-    let mut ranks = vec![0u16; area];
-    let prototype = field.clone();
+    let mut ranks = vec![0u16; area * frames];
+    let prototype = space.field.clone();
     let mut rank = ones;
     while rank > 0 {
         rank -= 1;
-        let cluster = argmax(&field);
-        window.splat(&mut field, size_log2, cluster, -1);
-        ranks[cluster] = rank as u16;
+        for turn in 0..frames {
+            let frame = whose_turn(turn, rank, frames_log2);
+            let cluster = argmax(space.tile(frame));
+            space.splat(frame, cluster, -1);
+            ranks[frame * area + cluster] = rank as u16;
+        }
     }
-    field = prototype;
-    let mut bounds = Bounds::new(&field);
+    space.field = prototype;
+    let mut bounds: Vec<Bounds> = (0..frames).map(|frame| Bounds::new(space.tile(frame))).collect();
     rank = ones;
     while rank < area {
-        let void = bounds.argmin(&field);
-        window.splat(&mut field, size_log2, void, 1);
-        ranks[void] = rank as u16;
+        let mut turn = 0;
+        while turn < frames {
+            let frame = whose_turn(turn, rank, frames_log2);
+            let void = bounds[frame].argmin(space.tile(frame));
+            space.splat(frame, void, 1);
+            ranks[frame * area + void] = rank as u16;
+            turn += 1;
+        }
         rank += 1;
     }
     ranks
+}
+
+/// Tiles take turns in bit-reversed order, another one first for every rank, so that none always has the choice.
+fn whose_turn(turn: usize, rank: usize, frames_log2: u32) -> usize {
+    let reversed = (turn.reverse_bits() as u64 >> 1 >> (63 - frames_log2)) as usize;
+    (reversed + rank) & ((1 << frames_log2) - 1)
+}
+
+/// What every pixel of every tile feels of the ones.
+struct Space<'a> {
+    window: Window,
+    time_kernel: &'a [i32],
+    size_log2: u32,
+    /// Tile by tile.
+    field: Vec<i32>,
+}
+
+impl Space<'_> {
+    fn tile(&self, frame: usize) -> &[i32] {
+        &self.field[frame << (2 * self.size_log2)..(frame + 1) << (2 * self.size_log2)]
+    }
+
+    /// Adds (`sign` = 1) or takes away (−1) a one. Frames fewer than the kernel wrap: it repeats, too.
+    fn splat(&mut self, frame: usize, pixel: usize, sign: i32) {
+        let area = 1 << (2 * self.size_log2);
+        self.window.splat(&mut self.field[frame * area..(frame + 1) * area], self.size_log2, pixel, sign);
+        let last = self.field.len() - 1;
+        let mut distance = 1;
+        while distance < self.time_kernel.len() {
+            let weight = sign * self.time_kernel[distance];
+            let place = frame * area + pixel;
+            self.field[place.wrapping_add(distance * area) & last] += weight;
+            self.field[place.wrapping_sub(distance * area) & last] += weight;
+            distance += 1;
+        }
+    }
 }
 
 /// The kernel as a square of weights around a pixel.
@@ -87,19 +151,22 @@ impl Window {
         Self { radius, weights }
     }
 
-    /// Adds (`sign` = 1) or takes away (−1) a one. A tile smaller than the window wraps: the kernel repeats, too.
+    /// Adds (`sign` = 1) or takes away (−1) a one in a tile. One smaller than the window wraps: the kernel repeats, too.
     fn splat(&self, field: &mut [i32], size_log2: u32, pixel: usize, sign: i32) {
         let mask = (1usize << size_log2) - 1;
         let (x, y) = (pixel & mask, pixel >> size_log2);
         let side = 2 * self.radius + 1;
-        let left = x.wrapping_sub(self.radius);
+        // A slice, and sums that cannot be negative: unoptimised, a `Vec`'s index and `wrapping_add` are calls.
+        let weights: &[i32] = &self.weights;
+        let wraps = (self.radius | mask) + 1 - self.radius;
+        let (left, top) = (x + wraps, y + wraps);
         let mut w = 0;
         let mut j = 0;
         while j < side {
-            let row = (y.wrapping_sub(self.radius).wrapping_add(j) & mask) << size_log2;
+            let row = ((top + j) & mask) << size_log2;
             let mut i = 0;
             while i < side {
-                field[row | (left.wrapping_add(i) & mask)] += sign * self.weights[w];
+                field[row | ((left + i) & mask)] += sign * weights[w];
                 w += 1;
                 i += 1;
             }

@@ -86,7 +86,7 @@ fn order(which: usize, start: &Map, duals: &[Duals], responses: &Responses, say:
     // good.
     let first = |set| if progressive { *start } else { anneal::random_map((which * SETS + set) as u64) };
     let mut maps: Vec<Map> = (0..SETS).map(first).collect();
-    let (tries, heat) = if progressive { (60_000, 0.006) } else { (15_000, 0.1) };
+    let (tries, heat) = if progressive { (25_000, 0.006) } else { (15_000, 0.1) };
     let energy = search.run(&mut maps, which as u64, tries, heat);
     say(format!(
         "order {which}: {energy:.4}, W {}, spikes {:.0?}",

@@ -14,7 +14,7 @@ use super::{COUNTS, lane, table};
 const FIRST_TRIES: usize = 1500;
 /// Independent searches, the best of which counts.
 const ISLANDS: u64 = 2;
-const STEPS: usize = 4500;
+const STEPS: usize = 1500;
 
 /// Smooth integrands at 128 and 256 samples are below what is asked for with almost any rows.
 fn judged(m: usize, family: usize) -> Option<(usize, f64)> {

@@ -13,6 +13,8 @@ pub const DIMENSIONS: [usize; 4] = [1, 2, 4, 8];
 pub const SPP: [u32; 3] = [1, 16, 256];
 /// Samples of one measurement: less than a millisecond, so that most are not interrupted.
 const SAMPLES: u32 = 1 << 14;
+/// Pixels of a row.
+const WIDTH: u32 = 256;
 /// Numbers of the buffer that is written over and over; it stays in the first cache.
 const BUFFER: usize = 4096;
 
@@ -25,6 +27,8 @@ pub enum Order {
     Random,
     /// Row by row, a pixel's whole set at once.
     Batch,
+    /// Row by row, one sample of all pixels of the row at once.
+    Together,
 }
 
 /// One measurement: all samples of some pixels, over and over.
@@ -50,6 +54,21 @@ impl Task for Timing<'_> {
                 let (first, second) = out.as_flattened_mut().as_chunks_mut::<4>().0.split_at_mut(self.spp as usize);
                 pixel.fill(0, 0, first);
                 pixel.fill(1, 0, second);
+            }),
+            (Order::Together, 1) => {
+                self.rows(make, |sampler, at, index, out: &mut [[f32; 1]]| sampler.row(at, 0, index, out))
+            }
+            (Order::Together, 2) => {
+                self.rows(make, |sampler, at, index, out: &mut [[f32; 2]]| sampler.row(at, 0, index, out))
+            }
+            (Order::Together, 4) => {
+                self.rows(make, |sampler, at, index, out: &mut [[f32; 4]]| sampler.row(at, 0, index, out))
+            }
+            (Order::Together, _) => self.rows(make, |sampler, at, index, out: &mut [[f32; 8]]| {
+                let half = out.len();
+                let (first, second) = out.as_flattened_mut().as_chunks_mut::<4>().0.split_at_mut(half);
+                sampler.row(at, 0, index, first);
+                sampler.row(at, 1, index, second);
             }),
             (_, 1) => self.each(make, |pixel, index| pixel.draw::<1>(0, index)),
             (_, 2) => self.each(make, |pixel, index| pixel.draw::<2>(0, index)),
@@ -77,6 +96,26 @@ impl Timing<'_> {
                 *out = draw(pixel, index);
             }
         })
+    }
+
+    /// `row` writes one sample of pixels that follow each other.
+    #[inline]
+    fn rows<S: Sampler, const D: usize>(
+        &self,
+        make: fn(u32, u32) -> S,
+        row: impl Fn(&S, [u32; 2], u32, &mut [[f32; D]]),
+    ) -> f64 {
+        let mut buffer = [[0.0; D]; WIDTH as usize];
+        let made = black_box(make(black_box(7), black_box(self.spp)));
+        let spp = black_box(self.spp);
+        let start = Instant::now();
+        for pixels in self.pixels.chunks(WIDTH as usize) {
+            for index in 0..spp {
+                row(&made, pixels[0], index, &mut buffer[..pixels.len()]);
+                black_box(&mut buffer);
+            }
+        }
+        start.elapsed().as_secs_f64() * 1e9 / (self.pixels.len() * spp as usize * D) as f64
     }
 
     /// `set` writes all samples of a pixel.
@@ -118,10 +157,12 @@ struct Setting {
 
 pub fn measure(names: &[&'static str], rounds: usize) -> Speeds {
     let mut random = crate::analysis::random::Random::new(1);
-    let by_rows: Vec<[u32; 2]> = (0..SAMPLES).map(|k| [k % 256, k / 256]).collect();
+    let by_rows: Vec<[u32; 2]> = (0..SAMPLES).map(|k| [k % WIDTH, k / WIDTH]).collect();
     let anywhere: Vec<[u32; 2]> = (0..SAMPLES).map(|_| [random.bits_32() >> 20, random.bits_32() >> 20]).collect();
     let mut timings = Vec::new();
-    for (order, pixels) in [(Order::Rows, &by_rows), (Order::Random, &anywhere), (Order::Batch, &by_rows)] {
+    let orders =
+        [(Order::Rows, &by_rows), (Order::Random, &anywhere), (Order::Batch, &by_rows), (Order::Together, &by_rows)];
+    for (order, pixels) in orders {
         for dimensions in DIMENSIONS {
             let enough = |spp: u32| &pixels[..(SAMPLES / spp) as usize];
             timings.extend(SPP.map(|spp| Timing { dimensions, spp, order, pixels: enough(spp) }));
@@ -182,6 +223,12 @@ impl Speeds {
         let mut all = vec![
             self.table("speed", "Nanoseconds a number, row by row", Order::Rows, None),
             self.table("speed-batch", "Nanoseconds a number, a pixel's whole set at once", Order::Batch, None),
+            self.table(
+                "speed-together",
+                "Nanoseconds a number, one sample of a row of pixels at once",
+                Order::Together,
+                None,
+            ),
             self.table("speed-random", "Nanoseconds a number, random pixels", Order::Random, None),
         ];
         for (id, name, of) in [
@@ -192,6 +239,8 @@ impl Speeds {
                 all.push(self.table(id, &format!("Time over that of {of}"), Order::Rows, Some(name)));
                 let title = format!("Time of the whole set at once over that of {of}");
                 all.push(self.table(&format!("{id}-batch"), &title, Order::Batch, Some(name)));
+                let title = format!("Time of a row at once over that of {of}");
+                all.push(self.table(&format!("{id}-together"), &title, Order::Together, Some(name)));
             }
         }
         all
