@@ -33,11 +33,11 @@ macro_rules! shapes {
     ($($sampler:ty, $pixel:ty $(, $rows:ident)?;)*) => {
         $(impl $crate::shape::Sampler for $sampler {
             type Pixel = $pixel;
-            #[inline]
+            #[inline(always)]
             fn pixel(&self, x: u32, y: u32, frame: u32) -> $pixel {
                 self.pixel(x, y, frame)
             }
-            $(#[inline]
+            $(#[inline(always)]
             fn row<const D: usize>(&self, [x, y]: [u32; 2], domain: u32, index: u32, out: &mut [[f32; D]]) {
                 let $rows = self;
                 $rows.fill_row(x, y, 0, domain, index, out);
@@ -51,11 +51,11 @@ pub(crate) use shapes;
 macro_rules! pixels {
     ($($pixel:ty;)*) => {
         $(impl $crate::shape::Pixel for $pixel {
-            #[inline]
+            #[inline(always)]
             fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
                 self.draw(domain, index)
             }
-            #[inline]
+            #[inline(always)]
             fn fill<const D: usize>(self, domain: u32, first: u32, out: &mut [[f32; D]]) {
                 self.fill(domain, first, out);
             }
