@@ -11,8 +11,9 @@ use crate::tables::LINEAR_ORDER;
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
 /// them do together is white, except that first samples of different domains may be related over a block of 32×32 pixels
-/// when the number of samples is 1, not known, or no power of two up to 256. A domain costs five hashes and ten XORs; a sample a
-/// shuffle of its number (two bit reversals, three products), two look-ups, and one for each bit set above the eighth.
+/// when the number of samples is 1, not known, or no power of two up to 256. A pixel costs two hashes and its masks; a
+/// domain three products, a load of columns and some ten XORs; a sample the shuffle of its number (a bit reversal, which
+/// domains share, and three products), two look-ups, and one for each bit set above the eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
