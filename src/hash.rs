@@ -106,7 +106,7 @@ pub const fn owen_4(value_fx: u32, seed: u32) -> u32 {
     laine_karras_4(value_fx.reverse_bits(), seed).reverse_bits()
 }
 
-/// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set, and 0 stays 0; of an index that is
+/// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set, and 0 and 1 stay in place; of an index that is
 /// bit-reversed already, and so is the result.
 ///
 /// Two pairs of dimensions that read one sequence in two such orders are decorrelated, and each still sees the first

@@ -97,6 +97,19 @@ impl Recipe {
         1 << self.frames_log2()
     }
 
+    /// A part of the seed, which a kind keeps whatever others come and go.
+    fn salt(self) -> u64 {
+        match self.kind {
+            Kind::Threshold | Kind::Retargeting => 0,
+            Kind::Offset1d => 1,
+            Kind::Offset2d => 2,
+            Kind::OverTime | Kind::Keys => 3,
+            Kind::Keys4 => 4,
+            Kind::Keys16 => 5,
+            Kind::Lattice => 6,
+        }
+    }
+
     /// Bytes of the table.
     pub fn bytes(self) -> usize {
         2 * self.channels() * self.size() * self.size() * self.frames()
@@ -127,7 +140,7 @@ impl Recipe {
             let mask = Self { kind: Kind::Threshold, ..self };
             return retarget::retargeting(&mask.bake(effort, inputs));
         }
-        let seed = u64::from(self.size_log2) << 8 | self.kind as u64;
+        let seed = u64::from(self.size_log2) << 8 | self.salt();
         if self.kind == Kind::OverTime {
             return void_and_cluster::over_time(
                 self.size_log2,

@@ -111,7 +111,7 @@ impl Pair for KeyedPair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
         each_rev(first, targets, |index_rev| self.point(index_rev), put);
     }
 }
@@ -123,7 +123,7 @@ impl Single for KeyedPair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
         each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
     }
 }

@@ -10,9 +10,9 @@ use crate::tables::LINEAR_ORDER;
 ///
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
-/// them do together is white, except that first samples of different domains may be related over a block of 32×32 pixels
-/// when the number of samples is 1, not known, or no power of two up to 256. A pixel costs two hashes and its masks; a
-/// domain three products, a load of columns and some ten XORs; a sample the shuffle of its number (a bit reversal, which
+/// them do together is white, except that the first two samples of different domains may be related over a block of
+/// 32×32 pixels when the number of samples is 1, not known, or no power of two up to 256. A pixel costs three hashes and its masks; a
+/// domain two products (four if it is no constant), a load of columns and some ten XORs; a sample the shuffle of its number (a bit reversal, which
 /// domains share, and three products), two look-ups, and one for each bit set above the eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
@@ -195,7 +195,7 @@ impl Shared {
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
     const fn pair(self, places: &[Place; 2], own: u32, flips_rev: u32) -> LinearPair {
-        let key = self.shift ^ spread(linear::digits(self.columns, &places[self.transposed()]));
+        let key = self.shift ^ in_place(linear::digits(self.columns, &places[self.transposed()]));
         // All pixels of a block in one order of samples would keep two domains in step over it.
         let random = ((self.choice ^ own) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let (shuffle, flip_rev) = ((random >> 32) as u32, random as u32 & flips_rev);
@@ -208,7 +208,7 @@ impl Shared {
         let mut columns = [0; 8];
         let (mut sum, mut bit) = (0, 0);
         while bit < BLOCK_LOG2 as usize {
-            sum ^= spread(self.columns[2 * bit + self.transposed()]);
+            sum ^= in_place(self.columns[2 * bit + self.transposed()]);
             columns[bit] = sum;
             bit += 1;
         }
@@ -217,7 +217,7 @@ impl Shared {
 }
 
 /// Digits where a key has them.
-const fn spread(digits: u32) -> u64 {
+const fn in_place(digits: u32) -> u64 {
     (digits as u64 >> 16) << 48 | (digits as u64 & 0xffff) << 16
 }
 
@@ -246,7 +246,7 @@ impl Pair for LinearPair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
         each_rev(first, targets, |index_rev| halves(self.word(index_rev)), put);
     }
 }
@@ -258,7 +258,7 @@ impl Single for LinearPair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
         each_rev(first, targets, |index_rev| halves(self.word(index_rev))[0], put);
     }
 }

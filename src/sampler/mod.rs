@@ -44,7 +44,7 @@ trait Single: Copy {
 
     /// Its values from index `first` on, one for each target.
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
         let mut index = first;
         for target in targets {
             put(target, self.first(index));
@@ -60,7 +60,7 @@ trait Pair: Copy {
 
     /// Its points from index `first` on, one for each target.
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
         let mut index = first;
         for target in targets {
             put(target, self.at(index));
@@ -168,7 +168,7 @@ use fill;
 /// `value` of the bit-reversed indices from `first` on, one for each target. A reversal costs as much as a sample: one for
 /// sixteen.
 #[inline]
-fn each_rev<T, V>(first: u32, targets: impl ExactSizeIterator<Item = T>, value: impl Fn(u32) -> V, put: impl Fn(T, V)) {
+fn each_rev<T, V>(first: u32, targets: impl Iterator<Item = T>, value: impl Fn(u32) -> V, put: impl Fn(T, V)) {
     static LOWER: [u32; 16] = {
         let mut reversed = [0; 16];
         let mut k = 0u32;

@@ -79,7 +79,7 @@ macro_rules! row_by_pixels {
                 domain: u32,
                 pad: u32,
                 index: u32,
-                targets: impl ExactSizeIterator<Item = T>,
+                targets: impl Iterator<Item = T>,
                 put: impl Fn(T, u32),
             ) {
                 let mut x = x;
@@ -96,7 +96,7 @@ macro_rules! row_by_pixels {
                 domain: u32,
                 pad: u32,
                 index: u32,
-                targets: impl ExactSizeIterator<Item = T>,
+                targets: impl Iterator<Item = T>,
                 put: impl Fn(T, [u32; 2]),
             ) {
                 let mut x = x;

@@ -73,7 +73,7 @@ impl Pair for WhitePair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
         each_rev(first, targets, |index_rev| self.point(index_rev), put);
     }
 }
@@ -85,7 +85,7 @@ impl Single for WhitePair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
         each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
     }
 }

@@ -112,7 +112,7 @@ impl Pair for ZOrderPair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, [u32; 2])) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
         each_rev(first, targets, |index_rev| self.point(index_rev), put);
     }
 }
@@ -124,7 +124,7 @@ impl Single for ZOrderPair {
     }
 
     #[inline]
-    fn each<T>(self, first: u32, targets: impl ExactSizeIterator<Item = T>, put: impl Fn(T, u32)) {
+    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
         each_rev(first, targets, |index_rev| self.number(index_rev), put);
     }
 }
