@@ -21,12 +21,7 @@ fn domains_frames_and_components_are_decorrelated() {
             let size = if blocks { 512 } else { SIZE };
             if name != "constant" {
                 // The baked masks are blue noise, whose neighbours a few pixels apart are related a little.
-                // A tile of keys has few blocks of the linear order, and two places of it may be alike.
-                let bound = match name {
-                    "baked keys" => 8.0 * NO_CORRELATION,
-                    _ if name.starts_with("baked") => 2.0 * NO_CORRELATION,
-                    _ => NO_CORRELATION,
-                };
+                let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
                 let at = |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<2>(domain, index)[0]);
                 let single =
                     |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<1>(domain, index)[0]);

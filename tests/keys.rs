@@ -166,6 +166,15 @@ impl Problem {
         sum
     }
 
+    /// What a pixel alone adds to half the energy, the mean over all vectors of a prefix.
+    fn power(&self) -> i64 {
+        let halves = |features: &[Features]| {
+            let squares = features.iter().map(|f| f.as_flattened().iter().map(|&f| i64::from(f).pow(2)).sum::<i64>());
+            squares.map(|square| square * i64::from(self.kernel[0]) / 2).sum::<i64>() / features.len() as i64
+        };
+        self.features.iter().map(|features| halves(features)).sum()
+    }
+
     fn energy(&self, ranks: &[u8]) -> i64 {
         let all = |ranks: &[u8], pixel| {
             let once: i64 = (0..self.features.len())
@@ -182,15 +191,20 @@ impl Problem {
     /// The search as its words say, every change of the energy from scratch. Ranks, and how often one changed.
     fn twin(&self, proposals: usize, seed: u64) -> (Vec<u8>, usize) {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        let (mut ranks, mut changes) = (vec![0u8; (SIZE * SIZE) as usize], 0);
-        for _ in 0..proposals * ranks.len() {
+        let mut ranks: Vec<u8> = (0..SIZE * SIZE).map(|_| (rng.next_u64() >> 62) as u8).collect();
+        let mut changes = 0;
+        let power = self.power();
+        for tried in 0..proposals * ranks.len() {
+            let left = (proposals - 1 - tried / ranks.len()) as i64;
+            // Of what both sides of a pair gain.
+            let threshold = power * 20 * left * left / (1000 * (proposals * proposals) as i64);
             let bits = rng.next_u64();
             let pixel = (bits >> (64 - 2 * SIZE_LOG2)) as usize;
             let reach = [3, 3, 15, 255][(bits >> 8 & 3) as usize] & ((1 << self.ranks_log2) - 1);
             let before = self.around(&ranks, pixel as i64);
             let kept = ranks[pixel];
             ranks[pixel] ^= (bits & reach) as u8;
-            if self.around(&ranks, pixel as i64) < before {
+            if self.around(&ranks, pixel as i64) < before + 2 * threshold {
                 changes += 1;
             } else {
                 ranks[pixel] = kept;
@@ -215,6 +229,60 @@ fn more_proposals_lower_the_energy() {
     let problem = Problem::recorded(linear::ORDERS - 1, 6);
     let energies = [0, 1, 10, 100].map(|proposals| problem.energy(&problem.choose(proposals, 8)));
     assert!(energies.is_sorted_by(|before, after| before > after) && energies[3] > 0, "{energies:?}");
+}
+
+/// Every patch has the digits of one set, turned or not, but for a shift: found by trying all, from the columns alone.
+#[test]
+fn patches_are_parts_of_the_linear_order() {
+    const SIDE: u32 = 16;
+    let order = &LINEAR_ORDER.progressive;
+    let digits = linear_digits(order, 7, &mut Xoshiro256PlusPlus::seed_from_u64(9));
+    let naive = |set: &linear::Columns, x: u32, y: u32| {
+        let bits = (0..5).flat_map(|bit| [x >> bit & 1, y >> bit & 1]);
+        bits.zip(set).filter(|(bit, _)| *bit == 1).fold(0, |sum, (_, column)| sum ^ column)
+    };
+    let (mut seen, mut shifts) = ([[0; 2]; linear::SETS], Vec::new());
+    for patch in 0..64 {
+        let (left, top) = (patch % 8 * SIDE, patch / 8 * SIDE);
+        let digits = |x: u32, y: u32| digits[((top + y) * 128 + left + x) as usize];
+        let mut found = 0;
+        for (set, seen) in order.iter().zip(&mut seen) {
+            for (turned, seen) in seen.iter_mut().enumerate() {
+                let is = |p: u32| {
+                    let (x, y) = (p % SIDE, p / SIDE);
+                    digits(x, y) ^ digits(0, 0) == if turned == 1 { naive(set, y, x) } else { naive(set, x, y) }
+                };
+                if (0..SIDE * SIDE).all(is) {
+                    found += 1;
+                    *seen += 1;
+                }
+            }
+        }
+        assert_eq!(found, 1, "patch {patch}");
+        shifts.push(digits(0, 0));
+    }
+    assert!(seen.iter().all(|set| set[0] + set[1] > 0), "sets are left out: {seen:?}");
+    assert!(seen.iter().map(|set| set[1]).sum::<i32>().abs_diff(32) < 16, "turned: {seen:?}");
+    shifts.sort_unstable();
+    shifts.dedup();
+    assert_eq!(shifts.len(), 64, "a shift of its own for every patch");
+}
+
+/// Every pixel's 64 samples are a net, whatever its rank, and so are its digits' blocks of 4 and 16.
+#[test]
+fn ranks_keep_nets() {
+    let digits = linear_digits(&LINEAR_ORDER.progressive, 4, &mut Xoshiro256PlusPlus::seed_from_u64(10));
+    let points = points(&LINEAR_ORDER.sequence, 64);
+    for (pixel, digits) in digits.iter().enumerate().step_by(17) {
+        for rank in [0, 5, 62] {
+            for m in 0..=6 {
+                let point = |i: usize| points[i ^ rank] ^ digits;
+                let set: Vec<[u32; 2]> =
+                    (0..1 << m).map(point).map(|point| [point & 0xffff_0000, point << 16]).collect();
+                assert_net(&set, &format!("pixel {pixel}, rank {rank}, the first 2^{m}"));
+            }
+        }
+    }
 }
 
 /// The vectors in floating point, from the points themselves: each may be off by its rounding. Phases are those of

@@ -6,22 +6,27 @@
 //! which two, which four. (Ranks of Heitz et al. 2019, which a linear sequence turns into keys.)
 //!
 //! ```text
-//! field F = w ∗ f, with w(0) = 0
+//! ranks below 4 at random; field F = w ∗ f, with w(0) = 0
 //! repeat: p = any pixel, with another rank: of the same two upper thirds of its bits, of the same upper one, or any
 //!     Δ = (f' − f)·F + N(f') − N(f),   N = w(0)‖f‖²/2
-//!     Δ < 0: do it, and update F around
+//!     Δ < threshold: do it, and update F around
+//! the threshold falls to 0
 //! ```
 //! f are a pixel's errors of a basis of cosines, as in [`features`](super::features), 32 of each of the [`PREFIXES`] and
 //! only of those that a rank can change. Δ is half the change of the power of the filtered error image, as in
-//! [`anneal`](super::anneal). Nothing is done that does not help at once: thresholds would trade the order of 4 and 16
-//! samples for that of one.
+//! [`anneal`](super::anneal).
+//!
+//! The linear order is regular: its errors are Walsh functions over a block, and two places of a tile of few blocks would
+//! match. Random ranks leave nothing of that in the first samples, and no set of four is touched by them; the search
+//! makes the samples blue again. What is left of the pattern from four samples on is broken by patches below the size
+//! of a block. The threshold is low, or it would trade the order of 4 and 16 samples for that of one.
 
 use rand::Rng;
 use rand::rngs::Xoshiro256PlusPlus;
 
 use super::anneal::{Window, Words, difference};
 use super::features::Column;
-use crate::linear::{self, BLOCK_LOG2, Order, SETS, Sequence};
+use crate::linear::{self, Order, SETS, Sequence};
 
 /// Numbers of samples whose errors are annealed.
 pub const PREFIXES: [u32; 3] = [1, 4, 16];
@@ -31,14 +36,20 @@ const ROWS: usize = LANES / 8;
 /// A feature vector. Magnitudes up to 63 keep every row of eight products within an `i32`.
 pub type Features = [[i16; 8]; ROWS];
 
+/// log₂ of the side of a patch. At 3 the borders leave 64 samples half as much error again, at 5 the pattern shows.
+const PATCH_LOG2: u32 = 4;
+/// Where the threshold starts, in thousandths of a pixel's own power. Five times that costs the order of 4 samples.
+const FIRST_THRESHOLD: i64 = 20;
+
 /// What the linear order gives the pixels of a tile of 2^`size_log2` squared, row by row: the upper 16 digits of the
-/// first number in the upper half, of the second in the lower. Blocks have sets, transpositions and digits at random.
+/// first number in the upper half, of the second in the lower. Patches of 16×16 have sets, transpositions and digits
+/// at random.
 pub fn linear_digits(order: &Order, size_log2: u32, rng: &mut Xoshiro256PlusPlus) -> Vec<u32> {
-    let (size, blocks_log2) = (1u32 << size_log2, size_log2 - BLOCK_LOG2);
-    let blocks: Vec<u64> = (0..1 << (2 * blocks_log2)).map(|_| rng.next_u64()).collect();
+    let (size, patches_log2) = (1u32 << size_log2, size_log2 - PATCH_LOG2);
+    let patches: Vec<u64> = (0..1 << (2 * patches_log2)).map(|_| rng.next_u64()).collect();
     let pixel = |p: u32| {
         let (x, y) = (p & (size - 1), p >> size_log2);
-        let random = blocks[((y >> BLOCK_LOG2) << blocks_log2 | x >> BLOCK_LOG2) as usize];
+        let random = patches[((y >> PATCH_LOG2) << patches_log2 | x >> PATCH_LOG2) as usize];
         let set = &order[(random >> 61) as usize % SETS];
         let transposed = (random >> 60) as usize & 1;
         random as u32 ^ linear::digits(set, &linear::places(x, y)[transposed])
@@ -119,16 +130,29 @@ pub fn choose_ranks(
     rng: &mut Xoshiro256PlusPlus,
 ) -> Vec<u8> {
     let window = Window::new(kernel);
+    let mut ranks: Vec<u8> = (0..1 << (2 * size_log2)).map(|_| (rng.next_u64() >> 62) as u8).collect();
     let mut layers = Vec::new();
     for (features, prefix) in features.iter().zip(PREFIXES) {
-        layers.push(Layer::new(features, prefix.trailing_zeros(), size_log2, ranks_log2, kernel[0], &window));
+        layers.push(Layer::new(features, prefix.trailing_zeros(), ranks_log2, &ranks, kernel[0], &window));
     }
+    let power: i64 = layers.iter().map(Layer::power).sum();
     let layers = &mut layers[..];
-    let mut ranks = vec![0u8; 1 << (2 * size_log2)];
-    let all = (1u64 << ranks_log2) - 1;
-    let mut left = proposals << (2 * size_log2);
+    let mut left = proposals;
     while left > 0 {
         left -= 1;
+        let threshold = power * FIRST_THRESHOLD * (left * left) as i64 / (1000 * proposals * proposals) as i64;
+        sweep(layers, &mut ranks, threshold as i32, rng);
+    }
+    ranks
+}
+
+/// As many proposals as there are pixels.
+fn sweep(layers: &mut [Layer<'_>], ranks: &mut [u8], threshold: i32, rng: &mut Xoshiro256PlusPlus) {
+    let all = (1u64 << layers[0].blocks_log2) - 1;
+    let size_log2 = layers[0].size_log2;
+    let mut tried = 0;
+    while tried < ranks.len() {
+        tried += 1;
         let bits = rng.next_u64();
         let pixel = (bits >> (64 - 2 * size_log2)) as usize;
         // What changes one sample only costs the least and helps the most.
@@ -144,7 +168,7 @@ pub fn choose_ranks(
             delta += layers[g].delta(pixel, here, there);
             g += 1;
         }
-        if delta < 0 {
+        if delta < threshold {
             let mut g = 0;
             while g < layers.len() {
                 layers[g].put(pixel, here, there);
@@ -153,7 +177,6 @@ pub fn choose_ranks(
             ranks[pixel] = there;
         }
     }
-    ranks
 }
 
 /// One prefix.
@@ -172,18 +195,25 @@ impl<'a> Layer<'a> {
     fn new(
         features: &'a [Features],
         prefix_log2: u32,
-        size_log2: u32,
         ranks_log2: u32,
+        ranks: &[u8],
         weight: i32,
         window: &'a Window,
     ) -> Self {
         let norms = features.iter().map(|vector| square(vector) * weight / 2).collect();
-        let blocks_log2 = ranks_log2 - prefix_log2;
-        let mut field = vec![[[0; 4]; ROWS]; 1 << (2 * size_log2)];
-        for pixel in 0..field.len() {
-            window.splat(&mut field, size_log2, 1 << size_log2, pixel, &pack(&features[pixel << blocks_log2]), 1);
+        let (size_log2, blocks_log2) = (ranks.len().ilog2() / 2, ranks_log2 - prefix_log2);
+        let field = vec![[[0; 4]; ROWS]; ranks.len()];
+        let mut layer = Self { features, norms, field, window, size_log2, prefix_log2, blocks_log2 };
+        for (pixel, &rank) in ranks.iter().enumerate() {
+            let own = pack(&features[layer.vector(pixel, rank)]);
+            window.splat(&mut layer.field, size_log2, 1 << size_log2, pixel, &own, 1);
         }
-        Self { features, norms, field, window, size_log2, prefix_log2, blocks_log2 }
+        layer
+    }
+
+    /// What a pixel alone would add, the mean.
+    fn power(&self) -> i64 {
+        self.norms.iter().map(|&norm| i64::from(norm)).sum::<i64>() / self.norms.len() as i64
     }
 
     /// The number of a pixel's vector.

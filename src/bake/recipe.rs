@@ -203,8 +203,8 @@ impl Recipe {
         }
         let proposals = match effort {
             Effort::Quick => 30,
-            Effort::Normal => 200,
-            Effort::Thorough => 1_000,
+            Effort::Normal => 400,
+            Effort::Thorough => 4_000,
         };
         let kernel = &inputs.anneal_kernel;
         let ranks = keys::choose_ranks(self.size_log2, ranks_log2, &vectors, kernel, proposals, &mut rng);

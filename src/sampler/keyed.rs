@@ -13,9 +13,9 @@ use crate::{hash, keys::Keys, torus};
 /// from the 257th on another look-up for each bit set above the eighth. Drawn row by row that is as fast as the tables of
 /// 2019.
 ///
-/// A tile has few blocks of the linear order, which has more of a pattern than an annealed mask, and shows it again every
-/// 64 pixels; the first samples of two domains or frames may be correlated, by up to one half where they read the tile at
-/// places that are alike.
+/// The first samples of two domains or frames are as good as uncorrelated, by less than .08 over the pixels of a tile. A
+/// tile is patches of 16×16 pixels, each with digits of its own: from four samples on their errors show more of a pattern
+/// than an annealed mask has, and the tile repeats every 64 pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Keyed<'a, const S: usize = 64> {
     keys: &'a Keys<S>,
