@@ -90,7 +90,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     for (row, linear_light) in [false, true].into_iter().enumerate() {
         let top = i64::from(row as u32 * (height + GAP));
         // A finer display than any: the picture as it would be.
-        let best = if arguments.depth.levels().1 { ([256; 3], true) } else { ([256; 3], false) };
+        let best = ([256; 3], arguments.depth.levels().1);
         let shown = dithered(&picture, Dither::constant(1 << 31), best);
         image::imageops::replace(&mut sheet, &shown.map_err(|error| error.to_string())?, 0, top);
         for (column, method) in methods.into_iter().enumerate() {
@@ -101,7 +101,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     }
     let out = &arguments.out;
     sheet
-        .save(out)
+        .save_with_format(out, image::ImageFormat::Png)
         .map_err(|error| format!("{} cannot be written ({error}): choose another by --out", out.display()))?;
     println!("written to {}: original, constant, random, ordered, blue; below in linear light", out.display());
     Ok(())

@@ -35,9 +35,9 @@ const KEPT: usize = 10;
 const NEAR: [(isize, u32); 4] = [(-1, 0), (-1, 1), (0, 1), (1, 1)];
 const FAR: [(isize, u32); 8] = [(-2, 0), (-2, 1), (2, 1), (-2, 2), (-1, 2), (0, 2), (1, 2), (2, 2)];
 
-/// Fills row `y` of a picture with one sample of D numbers a pixel, 0.32 fixed point; D = 1..4, more is a compile error.
+/// Fills row `y` of a picture with one sample of D numbers a pixel, 0.32 fixed point; D = 1..=4, more is a compile error.
 ///
-/// `above` are the row before the last and the last one. Rows 0 and 1 have fewer neighbours: what `above` holds then is not
+/// `above` are rows `y` − 2 and `y` − 1. Rows 0 and 1 have fewer neighbours: what `above` holds then is not
 /// read. Where a row above is shorter, neighbours are missing as at the picture's edge.
 #[expect(clippy::cast_possible_truncation, reason = "a hash of the place: far pixels of an endless row may agree")]
 pub fn fill_row<const D: usize>(seed: u32, y: u32, above: [&[[u32; D]]; 2], row: &mut [[u32; D]]) {
@@ -103,7 +103,7 @@ impl<const D: usize, const N: usize> Neighbours<D, N> {
         Self { samples: offsets.map(sample) }
     }
 
-    /// Squared distance to the nearest, on the torus; that of a far corner if there is none.
+    /// Squared distance to the nearest, on the torus; `u64::MAX` if there is none.
     fn distance(&self, sample: [u32; D]) -> u64 {
         let mut least = u64::MAX;
         for neighbour in self.samples.iter().flatten() {

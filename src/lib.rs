@@ -7,7 +7,7 @@
 //! # Limits
 //! - It pays off where the picture is smooth over a few pixels; at edges and in fine texture the error is white.
 //! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white, and at one
-//!   sample per pixel, or in the first of many, related over blocks of 32×32 pixels
+//!   sample per pixel, or in the first two of many, related over blocks of 32×32 pixels
 //!   (see [`Sampler`]).
 //! - The masks of [`Dithered`] repeat every 64×64 pixels and pay off at 1 to 9 samples per pixel.
 //! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
@@ -46,6 +46,7 @@
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | a renderer that stops when it likes, often after one sample, and 16 KB | [`Keyed`] (feature `keys-64`) |
 //! | a rank-1 lattice, up to 4 samples per pixel | [`Rank1`] (feature `lattice-64`) |
+//! | pictures that must match the tables of 2019 | [`keys_2019`] |
 //! | a picture without smooth parts | [`White`] |
 //! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
 //! | a shader | `bytes()` of a mask (feature `bytemuck`), looked up as in [`mask`] |
@@ -88,9 +89,9 @@
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`sobol`], [`linear`],
-//! [`zorder`], [`lattice`], [`dither`], [`strata`], [`shift`], [`hash`], [`torus`],
-//! [`unit`](mod@unit), and masks of your own.
+//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`dither`], [`sobol`], [`linear`],
+//! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), [`keys_2019`], and
+//! [`Dithered`], [`Keyed`] and [`Rank1`] by masks and keys of your own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
 //! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.

@@ -320,6 +320,12 @@ fn alpha_blends_exactly_and_stencils() {
         let half = [0, 0, 0, 128].repeat(20);
         dither.stencil_row(5, &half, &mut bits).expect("long enough");
         assert!((0..20).all(|x| u16::from(bit(&bits, x)) == dither.level(x as u32, 5, 3, 128, 255, 2)));
+        #[cfg(feature = "gamma")]
+        {
+            let mut in_light = [0; 3];
+            dither.gamma().stencil_row(5, &half, &mut in_light).expect("long enough");
+            assert_eq!(in_light, bits, "alpha is no light");
+        }
     }
 }
 

@@ -55,15 +55,13 @@ fn every_way_to_draw_gives_the_same() {
     };
     draw(1).assert_eq(&draw(0));
     draw(2).assert_eq(&draw(0));
+    let display = draw(0);
     for at in area.points() {
-        let found = draw(0).get_pixel(at).expect("drawn");
+        let found = display.get_pixel(at).expect("drawn");
         let level = |channel, value, levels| {
             BAYER_4.frame(1).level(at.x as u32, at.y as u32, channel, value, 255, levels) as u8
         };
         assert_eq!(found, Rgb565::new(level(0, 120, 32), level(1, 33, 64), level(2, 201, 32)));
-        if at.x > 8 {
-            break;
-        }
     }
 }
 

@@ -16,7 +16,7 @@ pub const ROUNDS: u32 = 3;
 /// Pixels along x or y.
 const REACH: usize = 2;
 
-/// Four bits a round for every pixel of a mask of 64² pixels: a code of 5·down + right, in −2..2, for the upper or left
+/// Four bits a round for every pixel of a mask of 64² pixels: a code of 5·down + right, in −2..=2, for the upper or left
 /// one of a pair; 0 for the other and for those that stay.
 pub fn retargeting(mask: &[u16]) -> Vec<u16> {
     let mut now: Vec<i32> = mask.iter().map(|&rank| i32::from(rank)).collect();

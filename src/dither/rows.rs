@@ -131,7 +131,8 @@ impl Dither<'_> {
     /// The alpha of RGBA to 1 bit, packed as in [`gray1_row`](Self::gray1_row): which pixels to draw on what the screen
     /// shows. Its thresholds are those of the fourth channel, so that it is not tied to the colours.
     pub fn stencil_row(&self, y: u32, rgba: &[u8], dst: &mut [u8]) -> Result<(), RowError> {
-        self.row(
+        // Alpha is no light, and two levels have no room for more noise.
+        Self { rule: super::Rule::Plain, ..*self }.row(
             y,
             Samples::U8(rgba),
             [1, 1, 1, 2],

@@ -15,7 +15,7 @@ pub enum Samples<'a> {
     U12(&'a [u16]),
     /// 0..=65535.
     U16(&'a [u16]),
-    /// 0 to 1, taken to the nearest of 65,536 steps; what lies outside is black or white, and NaN is black.
+    /// 0 to 1, taken to the nearest of 65,536 values; what lies outside is black or white, and NaN is black.
     #[cfg(feature = "float")]
     F32(&'a [f32]),
 }

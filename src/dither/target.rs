@@ -62,7 +62,7 @@ impl<D: DrawTarget<Color: From8Bit<C>>, C: PixelColor> DrawTarget for DitherTarg
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), D::Error> {
         let dither = self.dither;
-        // Displays are told of what they show only: an area may be as large as its numbers allow.
+        // A solid area is cut to the display: an area may be as large as its numbers allow.
         let area = area.intersection(&self.display.bounding_box());
         self.display.fill_contiguous(&area, area.points().map(|at| at_point(color, at, &dither)))
     }

@@ -226,7 +226,7 @@ impl Retargeting {
         [frame.wrapping_mul(self.step[0]), frame.wrapping_mul(self.step[1])]
     }
 
-    /// Pixels to the right (−2..2) and down (0..2) to the partner of a place in a round, if it has one there; of a pair,
+    /// Pixels to the right (−2..=2) and down (0..=2) to the partner of a place in a round, if it has one there; of a pair,
     /// only the upper or left one has. Any coordinates; rounds past the last have no pairs.
     #[inline]
     #[must_use]

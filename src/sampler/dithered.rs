@@ -9,7 +9,8 @@ use crate::{hash, shift, sobol, strata, torus};
 /// One dimension is taken from a scalar mask, pairs from a two-channel mask, each read at a place of its own for every
 /// domain and frame. Strong at 1 to 9 samples per pixel on what is smooth over the screen; with more the error turns
 /// white, and from 16 on [`White`](crate::White), which has better points, leaves less of it. A draw costs a few
-/// hashes, a look-up and a Sobol point, and with strata a division or more.
+/// hashes, a look-up and a Sobol point, and with strata a division or more. A mask has as many places as pixels: of
+/// thousands of domains, frames or seeds some two read the same one.
 #[derive(Clone, Copy, Debug)]
 pub struct Dithered<'a, const S: usize = 64> {
     scalar: &'a ScalarMask<S>,

@@ -8,7 +8,8 @@ use crate::{hash, lattice, mask::VectorMask, torus};
 /// Blue at 1, 4 and 16 samples, and the sequence goes on for as long as it is asked; but on smooth integrands that are not
 /// periodic a lattice has larger errors than a net, and from 16 samples on [`White`](crate::White) leaves less of them
 /// after a filter. Every domain, pad and frame reads the mask at a place of its own and visits the lattice in an order of
-/// its own, the same for all pixels. A draw is a reversal, five multiplications and a look-up.
+/// its own, the same for all pixels; there are as many places as pixels of the mask, so that of thousands of domains, frames
+/// or seeds some two read the same one. A draw is a reversal, five multiplications and a look-up.
 ///
 /// The paper ranks a pixel's samples, too. That is left out: with van der Corput's φ, the first 2ᵏ numbers φ(i ⊕ r) are
 /// those of φ(i) + φ(r) modulo 1, so that at every power of two the samples φ(i ⊕ r)·z + s are those of no rank and the

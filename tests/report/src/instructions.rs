@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-const ORDERS: [Order; 2] = [Order::Rows, Order::Batch];
+const ORDERS: [Order; 3] = [Order::Rows, Order::Batch, Order::Together];
 /// Samples of the longer of two measurements; the shorter has half of them, and what both need is their difference.
 const SAMPLES: u32 = 1 << 11;
 
@@ -90,5 +90,6 @@ pub fn tables(names: &[&'static str], out: &Path) -> Result<Vec<Table>, String> 
     Ok(vec![
         one((Order::Rows, "instructions", "Instructions a number, draw by draw")),
         one((Order::Batch, "instructions-batch", "Instructions a number, a pixel's whole set at once")),
+        one((Order::Together, "instructions-together", "Instructions a number, one sample of a row of pixels at once")),
     ])
 }

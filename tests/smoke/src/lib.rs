@@ -110,3 +110,17 @@ pub extern "C" fn warps(u: f32, v: f32) -> f32 {
     let flat = warp::disk(u)[0] + warp::triangle(u)[2] + warp::gaussian(u)[1];
     flat + warp::cosine_hemisphere(u)[2] + warp::uniform_hemisphere(u)[2] + warp::sphere(u)[2]
 }
+
+/// Rows of pixels, and fills of unknown length.
+#[unsafe(no_mangle)]
+pub extern "C" fn rows(seed: u32, spp: u32, x: u32, y: u32, domain: u32, index: u32, out: &mut [[f32; 4]; 9], n: usize) {
+    static KEYS: Keys<4> = Keys::new([[[1, 2], [3, 4], [5, 6], [7, 8]]; 4]);
+    let Some(out) = out.get_mut(..n) else { return };
+    Sampler::with_spp(seed, spp).fill_row(x, y, 0, domain, index, out);
+    ZOrder::new(seed).fill_row(x, y, 0, domain, index, out);
+    White::new(seed).fill_row(x, y, 0, domain, index, out);
+    Keyed::with_keys(&KEYS, seed).fill_row(x, y, 0, domain, index, out);
+    Keyed::with_keys(&KEYS, seed).pixel(x, y, 0).fill(domain, index, out);
+    Rank1::with_mask(&OFFSET_2D_64, seed).fill_row(x, y, 0, domain, index, out);
+    Dithered::with_spp(seed, spp).stratified(spp).fill_row(x, y, 0, domain, index, out);
+}
