@@ -180,7 +180,7 @@ fn derived() -> Inputs {
         cosine: list(COSINE).collect(),
         features_1d: columns(Pattern::Regular, 48, [1.0, 0.3, 0.1]),
         features_2d: columns(Pattern::Sobol, 12, [1.0, 0.4, 0.15]),
-        features_keys: key_columns([1.0, 0.6, 0.14]),
+        features_keys: key_columns([1.0, 0.84, 0.14]),
         features_lattice: columns(Pattern::Lattice, 12, [1.0, 0.4, 0.15]),
         // Not a formula: tests/columns.rs checks it.
         linear_order: LinearOrder::read(&tables()).expect("the linear order"),

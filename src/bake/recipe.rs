@@ -203,7 +203,7 @@ impl Recipe {
         }
         let proposals = match effort {
             Effort::Quick => 30,
-            Effort::Normal => 400,
+            Effort::Normal => 600,
             Effort::Thorough => 4_000,
         };
         let kernel = &inputs.anneal_kernel;
