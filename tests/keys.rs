@@ -324,7 +324,8 @@ fn features_are_sums_of_cosines() {
 #[cfg(feature = "keys-64")]
 #[test]
 fn baked_keys_are_the_linear_order_with_ranks() {
-    let mut rng = Xoshiro256PlusPlus::seed_from_u64(6 << 8 | bake::recipe::Kind::Keys as u64);
+    use bake::recipe::{Kind, Recipe};
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(Recipe { kind: Kind::Keys, size_log2: 6 }.seed());
     let digits = linear_digits(&LINEAR_ORDER.progressive, 6, &mut rng);
     let points = points(&LINEAR_ORDER.sequence, 64);
     let mut seen = [0u32; 64];

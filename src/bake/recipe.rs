@@ -97,9 +97,9 @@ impl Recipe {
         1 << self.frames_log2()
     }
 
-    /// A part of the seed, which a kind keeps whatever others come and go.
-    fn salt(self) -> u64 {
-        match self.kind {
+    /// Where its random numbers begin; a kind keeps its own whatever others come and go.
+    pub fn seed(self) -> u64 {
+        let kind = match self.kind {
             Kind::Threshold | Kind::Retargeting => 0,
             Kind::Offset1d => 1,
             Kind::Offset2d => 2,
@@ -107,7 +107,8 @@ impl Recipe {
             Kind::Keys4 => 4,
             Kind::Keys16 => 5,
             Kind::Lattice => 6,
-        }
+        };
+        u64::from(self.size_log2) << 8 | kind
     }
 
     /// Bytes of the table.
@@ -140,7 +141,7 @@ impl Recipe {
             let mask = Self { kind: Kind::Threshold, ..self };
             return retarget::retargeting(&mask.bake(effort, inputs));
         }
-        let seed = u64::from(self.size_log2) << 8 | self.salt();
+        let seed = self.seed();
         if self.kind == Kind::OverTime {
             return void_and_cluster::over_time(
                 self.size_log2,
