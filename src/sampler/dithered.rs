@@ -168,11 +168,12 @@ struct DitheredSingle {
 
 impl Single for DitheredSingle {
     #[inline]
-    fn first(self, index: u32) -> u32 {
+    fn value(self, index_rev: u32) -> u32 {
         if self.order.strata == 0 {
-            return sobol::dimension_0(hash::shuffle(index, self.order.seed)).wrapping_add(self.offset);
+            // Of dimension 0 the reversed number is the value.
+            return hash::shuffle_rev(index_rev, self.order.seed).wrapping_add(self.offset);
         }
-        let (pass, cell) = self.order.cell(index);
+        let (pass, cell) = self.order.cell(index_rev.reverse_bits());
         shift::stratified_1d(cell, self.order.strata, sobol::dimension_0(pass), self.offset)
     }
 }
@@ -186,11 +187,12 @@ struct DitheredPair {
 
 impl Pair for DitheredPair {
     #[inline]
-    fn at(self, index: u32) -> [u32; 2] {
+    fn point(self, index_rev: u32) -> [u32; 2] {
         if self.order.strata == 0 {
-            return shift::global(sobol::point(hash::shuffle(index, self.order.seed)), self.offset);
+            let index = hash::shuffle_rev(index_rev, self.order.seed).reverse_bits();
+            return shift::global(sobol::point(index), self.offset);
         }
-        let (pass, cell) = self.order.cell(index);
+        let (pass, cell) = self.order.cell(index_rev.reverse_bits());
         shift::stratified_2d(cell, self.order.strata, sobol::point(pass), self.offset)
     }
 }

@@ -1,6 +1,6 @@
 //! Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019: one sequence for the image, scrambled by keys of every pixel.
 
-use super::{Pair, Single, call_shape, domain_seed, each_rev, halves, row_by_pixels, row_shape};
+use super::{Pair, call_shape, domain_seed, halves, row_by_pixels, row_shape};
 use crate::tables::LINEAR_ORDER;
 use crate::{hash, keys::Keys, torus};
 
@@ -92,9 +92,9 @@ struct KeyedPair {
     order: u32,
 }
 
-impl KeyedPair {
+impl Pair for KeyedPair {
     #[inline(always)]
-    const fn point(self, index_rev: u32) -> [u32; 2] {
+    fn point(self, index_rev: u32) -> [u32; 2] {
         // All pixels of a domain share one order, or they would see different points between the powers of two.
         let index_rev = hash::shuffle_rev(index_rev, self.order);
         let mut point = POINTS_REV[(index_rev >> 24) as usize];
@@ -102,30 +102,6 @@ impl KeyedPair {
             point = xor(point, later(index_rev));
         }
         xor(point, self.key)
-    }
-}
-
-impl Pair for KeyedPair {
-    #[inline(always)]
-    fn at(self, index: u32) -> [u32; 2] {
-        self.point(index.reverse_bits())
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
-        each_rev(first, targets, |index_rev| self.point(index_rev), put);
-    }
-}
-
-impl Single for KeyedPair {
-    #[inline(always)]
-    fn first(self, index: u32) -> u32 {
-        self.at(index)[0]
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
-        each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
     }
 }
 

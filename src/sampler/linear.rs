@@ -1,6 +1,6 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{Pair, Single, call_shape, domain_word, each_rev, halves, row_shape};
+use super::{Pair, call_shape, domain_word, halves, row_shape};
 use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Columns, Order, Place, SETS};
 use crate::tables::LINEAR_ORDER;
@@ -241,25 +241,8 @@ impl LinearPair {
 
 impl Pair for LinearPair {
     #[inline]
-    fn at(self, index: u32) -> [u32; 2] {
-        halves(self.word(index.reverse_bits()))
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
-        each_rev(first, targets, |index_rev| halves(self.word(index_rev)), put);
-    }
-}
-
-impl Single for LinearPair {
-    #[inline]
-    fn first(self, index: u32) -> u32 {
-        self.at(index)[0]
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
-        each_rev(first, targets, |index_rev| halves(self.word(index_rev))[0], put);
+    fn point(self, index_rev: u32) -> [u32; 2] {
+        halves(self.word(index_rev))
     }
 }
 

@@ -37,35 +37,24 @@ pub use zorder::{ZOrder, ZOrderPixel};
 
 use row::{row_by_pixels, row_shape};
 
-/// A single dimension of a domain in one pixel: all that does not depend on the index.
+/// A single dimension of a domain in one pixel: all that does not depend on the index. Every sampler shuffles its
+/// indices, which is done bit-reversed, so that is how they come.
 trait Single: Copy {
-    /// Its value at an index.
-    fn first(self, index: u32) -> u32;
-
-    /// Its values from index `first` on, one for each target.
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
-        let mut index = first;
-        for target in targets {
-            put(target, self.first(index));
-            index = index.wrapping_add(1);
-        }
-    }
+    /// Its value at a bit-reversed index.
+    fn value(self, index_rev: u32) -> u32;
 }
 
 /// A pair of dimensions of a domain in one pixel: all that does not depend on the index.
 trait Pair: Copy {
-    /// Its point at an index.
-    fn at(self, index: u32) -> [u32; 2];
+    /// Its point at a bit-reversed index.
+    fn point(self, index_rev: u32) -> [u32; 2];
+}
 
-    /// Its points from index `first` on, one for each target.
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
-        let mut index = first;
-        for target in targets {
-            put(target, self.at(index));
-            index = index.wrapping_add(1);
-        }
+/// The first of a pair, where it costs no more to have both.
+impl<P: Pair> Single for P {
+    #[inline(always)]
+    fn value(self, index_rev: u32) -> u32 {
+        self.point(index_rev)[0]
     }
 }
 
@@ -90,9 +79,9 @@ macro_rules! call_shape {
                 while k < D {
                     let pad = if k < 2 { 0 } else { 1 };
                     if k + 1 < D {
-                        [out[k], out[k + 1]] = self.pair(domain, pad).at(index);
+                        [out[k], out[k + 1]] = $crate::sampler::Pair::point(self.pair(domain, pad), index.reverse_bits());
                     } else {
-                        out[k] = self.single(domain, pad).first(index);
+                        out[k] = $crate::sampler::Single::value(self.single(domain, pad), index.reverse_bits());
                     }
                     k += 2;
                 }
@@ -156,11 +145,15 @@ macro_rules! fill {
     }};
     (@single $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
         let put = |sample: &mut [_; D], value| [sample[$k]] = [value].map($convert);
-        $crate::sampler::Single::each($pixel.single($domain, $k / 2), $first, $samples.iter_mut(), put);
+        let single = $pixel.single($domain, $k / 2);
+        let value = |index_rev| $crate::sampler::Single::value(single, index_rev);
+        $crate::sampler::each_rev($first, $samples.iter_mut(), value, put);
     };
     (@pair $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
         let put = |sample: &mut [_; D], point: [u32; 2]| [sample[$k], sample[$k + 1]] = point.map($convert);
-        $crate::sampler::Pair::each($pixel.pair($domain, $k / 2), $first, $samples.iter_mut(), put);
+        let pair = $pixel.pair($domain, $k / 2);
+        let point = |index_rev| $crate::sampler::Pair::point(pair, index_rev);
+        $crate::sampler::each_rev($first, $samples.iter_mut(), point, put);
     };
 }
 use fill;

@@ -1,6 +1,6 @@
 //! Belcour and Heitz 2021: one rank-1 lattice for the image, one shift a pixel from a blue-noise mask.
 
-use super::{Pair, Single, call_shape, domain_seed, each_rev, row_by_pixels, row_shape};
+use super::{Pair, call_shape, domain_seed, row_by_pixels, row_shape};
 use crate::{hash, lattice, mask::VectorMask, torus};
 
 /// An extensible rank-1 lattice, shifted in every pixel by a mask that is annealed for it.
@@ -85,37 +85,13 @@ struct Rank1Pair {
     order: u32,
 }
 
-impl Rank1Pair {
+impl Pair for Rank1Pair {
     #[inline(always)]
-    const fn point(self, index_rev: u32) -> [u32; 2] {
+    fn point(self, index_rev: u32) -> [u32; 2] {
         // φ of the index, which is what `lattice::extensible` multiplies.
         let phi = hash::shuffle_rev(index_rev, self.order);
         let [x, y] = self.shift;
         [phi.wrapping_mul(lattice::EXEW[0]).wrapping_add(x), phi.wrapping_mul(lattice::EXEW[1]).wrapping_add(y)]
-    }
-}
-
-impl Pair for Rank1Pair {
-    #[inline(always)]
-    fn at(self, index: u32) -> [u32; 2] {
-        self.point(index.reverse_bits())
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
-        each_rev(first, targets, |index_rev| self.point(index_rev), put);
-    }
-}
-
-impl Single for Rank1Pair {
-    #[inline(always)]
-    fn first(self, index: u32) -> u32 {
-        self.at(index)[0]
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
-        each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
     }
 }
 

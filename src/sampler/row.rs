@@ -84,7 +84,8 @@ macro_rules! row_by_pixels {
             ) {
                 let mut x = x;
                 for target in targets {
-                    put(target, $crate::sampler::Single::first(self.pixel(x, y, frame).single(domain, pad), index));
+                    let single = self.pixel(x, y, frame).single(domain, pad);
+                    put(target, $crate::sampler::Single::value(single, index.reverse_bits()));
                     x = x.wrapping_add(1);
                 }
             }
@@ -101,7 +102,8 @@ macro_rules! row_by_pixels {
             ) {
                 let mut x = x;
                 for target in targets {
-                    put(target, $crate::sampler::Pair::at(self.pixel(x, y, frame).pair(domain, pad), index));
+                    let pair = self.pixel(x, y, frame).pair(domain, pad);
+                    put(target, $crate::sampler::Pair::point(pair, index.reverse_bits()));
                     x = x.wrapping_add(1);
                 }
             }

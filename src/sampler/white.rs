@@ -1,6 +1,6 @@
 //! The uncorrelated control: what every renderer has without this crate.
 
-use super::{Pair, Single, call_shape, domain_seed, each_rev, row_by_pixels, row_shape};
+use super::{Pair, call_shape, domain_seed, row_by_pixels, row_shape};
 use crate::{hash, sobol};
 
 /// Owen-scrambled Sobol points under a seed of every pixel's own: the best per-pixel error, spread as white noise.
@@ -59,34 +59,10 @@ pub(super) struct WhitePair {
     seed: u32,
 }
 
-impl WhitePair {
-    #[inline]
-    const fn point(self, index_rev: u32) -> [u32; 2] {
-        sobol::owen_point(hash::shuffle_rev(index_rev, self.seed).reverse_bits(), self.seed)
-    }
-}
-
 impl Pair for WhitePair {
     #[inline]
-    fn at(self, index: u32) -> [u32; 2] {
-        self.point(index.reverse_bits())
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
-        each_rev(first, targets, |index_rev| self.point(index_rev), put);
-    }
-}
-
-impl Single for WhitePair {
-    #[inline]
-    fn first(self, index: u32) -> u32 {
-        self.at(index)[0]
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
-        each_rev(first, targets, |index_rev| self.point(index_rev)[0], put);
+    fn point(self, index_rev: u32) -> [u32; 2] {
+        sobol::owen_point(hash::shuffle_rev(index_rev, self.seed).reverse_bits(), self.seed)
     }
 }
 

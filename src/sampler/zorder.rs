@@ -1,6 +1,6 @@
 //! Ahmed and Wonka 2020: one sequence for the image, dealt to the pixels along a shuffled Z curve.
 
-use super::{Pair, Single, call_shape, domain_word, each_rev, halves, row_by_pixels, row_shape};
+use super::{Pair, call_shape, domain_word, halves, row_by_pixels, row_shape};
 use crate::{hash, sobol, zorder};
 
 /// Z-order sampling: all pixels share one Owen-scrambled (0, 2)-sequence, so that the points of neighbours complete each
@@ -81,22 +81,6 @@ struct ZOrderPair {
 }
 
 impl ZOrderPair {
-    #[inline]
-    const fn point(self, index_rev: u32) -> [u32; 2] {
-        let place = self.place(index_rev);
-        let x = hash::laine_karras(place, self.seeds[0]);
-        let y = hash::laine_karras(sobol::dimension_1_rev(place), self.seeds[1]);
-        // Two reversals for the price of one.
-        let [y, x] = halves(((x as u64) << 32 | y as u64).reverse_bits());
-        [x, y]
-    }
-
-    /// The first number alone.
-    #[inline]
-    const fn number(self, index_rev: u32) -> u32 {
-        hash::laine_karras(self.place(index_rev), self.seeds[0]).reverse_bits()
-    }
-
     /// On the Sobol sequence. The pairs of a pixel see the same first 2ᵏ samples in orders of their own.
     #[inline]
     const fn place(self, index_rev: u32) -> u32 {
@@ -107,25 +91,13 @@ impl ZOrderPair {
 
 impl Pair for ZOrderPair {
     #[inline]
-    fn at(self, index: u32) -> [u32; 2] {
-        self.point(index.reverse_bits())
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, [u32; 2])) {
-        each_rev(first, targets, |index_rev| self.point(index_rev), put);
-    }
-}
-
-impl Single for ZOrderPair {
-    #[inline]
-    fn first(self, index: u32) -> u32 {
-        self.number(index.reverse_bits())
-    }
-
-    #[inline]
-    fn each<T>(self, first: u32, targets: impl Iterator<Item = T>, put: impl Fn(T, u32)) {
-        each_rev(first, targets, |index_rev| self.number(index_rev), put);
+    fn point(self, index_rev: u32) -> [u32; 2] {
+        let place = self.place(index_rev);
+        let x = hash::laine_karras(place, self.seeds[0]);
+        let y = hash::laine_karras(sobol::dimension_1_rev(place), self.seeds[1]);
+        // Two reversals for the price of one.
+        let [y, x] = halves(((x as u64) << 32 | y as u64).reverse_bits());
+        [x, y]
     }
 }
 
