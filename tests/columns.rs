@@ -92,7 +92,7 @@ fn a_character_is_integrated_or_a_walsh_function_of_the_pixels() {
                 // Columns of x and y take turns, and so do the bits of p.
                 let (x, y) =
                     (0..5).fold((0, 0), |(x, y), k| (x | (p >> (2 * k) & 1) << k, y | (p >> (2 * k + 1) & 1) << k));
-                let [kx, ky] = upper(linear::digits(set, &linear::places(x, y)[0]) ^ shift);
+                let [kx, ky] = upper(linear::digits(set, x, y) ^ shift);
                 let sample = |i| digits(LINEAR_ORDER.sequence.packed(i));
                 let sum: i32 = (0..1 << m).map(|i| character(c, [sample(i)[0] ^ kx, sample(i)[1] ^ ky])).sum();
                 let walsh = if (function & p).count_ones().is_multiple_of(2) { 1 } else { -1 };

@@ -51,8 +51,8 @@ pub fn linear_digits(order: &Order, size_log2: u32, rng: &mut Xoshiro256PlusPlus
         let (x, y) = (p & (size - 1), p >> size_log2);
         let random = patches[((y >> PATCH_LOG2) << patches_log2 | x >> PATCH_LOG2) as usize];
         let set = &order[(random >> 61) as usize % SETS];
-        let transposed = (random >> 60) as usize & 1;
-        random as u32 ^ linear::digits(set, &linear::places(x, y)[transposed])
+        let (x, y) = if random >> 60 & 1 == 1 { (y, x) } else { (x, y) };
+        random as u32 ^ linear::digits(set, x, y)
     };
     (0..size * size).map(pixel).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::{Pair, call_shape, domain_word, halves, row_shape};
 use crate::hash;
-use crate::linear::{self, BLOCK_LOG2, Columns, Order, Place, SETS};
+use crate::linear::{self, BLOCK_LOG2, Columns, Order, SETS};
 use crate::tables::LINEAR_ORDER;
 
 /// Blue-noise error at every number of samples, from points that are better than Owen-scrambled ones: the
@@ -11,9 +11,10 @@ use crate::tables::LINEAR_ORDER;
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
 /// them do together is white, except that the first two samples of different domains may be related over a block of
-/// 32×32 pixels when the number of samples is 1, not known, or no power of two up to 256. A pixel costs three hashes and its masks; a
-/// domain two products (four if it is no constant), a load of columns and some ten XORs; a sample the shuffle of its number (a bit reversal, which
-/// domains share, and three products), two look-ups, and one for each bit set above the eighth.
+/// 32×32 pixels when the number of samples is 1, not known, or no power of two up to 256. A pixel costs three hashes; a
+/// domain two products (four if it is no constant) and some forty operations on five words; a sample the shuffle of its
+/// number (a bit reversal, which domains share, and three products), two look-ups, and one for each bit set above the
+/// eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
@@ -52,13 +53,7 @@ impl Sampler {
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> LinearPixel {
         let (seed, x, y) = self.place(x, y, frame);
         let block = block(seed, x, y);
-        LinearPixel {
-            order: self.order,
-            flips_rev: self.flips_rev,
-            block,
-            own: own(block, x, y),
-            places: linear::places(x & INSIDE, y & INSIDE),
-        }
+        LinearPixel { order: self.order, flips_rev: self.flips_rev, block, own: own(block, x, y), x, y }
     }
 
     /// The seed of a frame, and where a pixel lies: the blocks of every seed and frame begin elsewhere.
@@ -87,10 +82,9 @@ impl Sampler {
             let block = block(seed, x, y);
             let shared = Shared::new(self.order, block, domain, pad);
             let columns = shared.columns_of_x();
-            let mut key = shared.pair(&linear::places(x & INSIDE, y & INSIDE), 0, 0).key;
+            let mut key = shared.pair(x, y, 0, 0).key;
             while let Some(target) = next {
-                let LinearPair { swap, shuffle, flip_rev, .. } =
-                    shared.pair(&[[0; _]; 2], own(block, x, y), self.flips_rev);
+                let LinearPair { swap, shuffle, flip_rev, .. } = shared.pair(0, 0, own(block, x, y), self.flips_rev);
                 put(target, LinearPair { key, swap, shuffle, flip_rev }.word(index_rev));
                 x = x.wrapping_add(1);
                 next = targets.next();
@@ -152,8 +146,9 @@ pub struct LinearPixel {
     block: u64,
     /// A hash of the pixel.
     own: u32,
-    /// Inside the block, and with x and y swapped.
-    places: [Place; 2],
+    /// Inside the block by their lower bits.
+    x: u32,
+    y: u32,
 }
 
 impl LinearPixel {
@@ -164,7 +159,7 @@ impl LinearPixel {
 
     #[inline]
     const fn pair(self, domain: u32, pad: u32) -> LinearPair {
-        Shared::new(self.order, self.block, domain, pad).pair(&self.places, self.own, self.flips_rev)
+        Shared::new(self.order, self.block, domain, pad).pair(self.x, self.y, self.own, self.flips_rev)
     }
 }
 
@@ -187,15 +182,16 @@ impl Shared {
     }
 
     #[inline]
-    const fn transposed(self) -> usize {
-        self.choice as usize >> 3 & 1
+    const fn transposed(self) -> bool {
+        self.choice >> 3 & 1 == 1
     }
 
     /// What one pixel has.
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
-    const fn pair(self, places: &[Place; 2], own: u32, flips_rev: u32) -> LinearPair {
-        let key = self.shift ^ in_place(linear::digits(self.columns, &places[self.transposed()]));
+    const fn pair(self, x: u32, y: u32, own: u32, flips_rev: u32) -> LinearPair {
+        let (x, y) = if self.transposed() { (y, x) } else { (x, y) };
+        let key = self.shift ^ in_place(linear::digits(self.columns, x, y));
         // All pixels of a block in one order of samples would keep two domains in step over it.
         let random = ((self.choice ^ own) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let (shuffle, flip_rev) = ((random >> 32) as u32, random as u32 & flips_rev);
@@ -208,7 +204,7 @@ impl Shared {
         let mut columns = [0; 8];
         let (mut sum, mut bit) = (0, 0);
         while bit < BLOCK_LOG2 as usize {
-            sum ^= in_place(self.columns[2 * bit + self.transposed()]);
+            sum ^= in_place(self.columns[2 * bit + self.transposed() as usize]);
             columns[bit] = sum;
             bit += 1;
         }

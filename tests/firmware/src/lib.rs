@@ -65,7 +65,7 @@ fn sequences() -> u32 {
         [point[0], point[1], sobol::dimension(k, 1), SOBOL_16.dimension(k, 7), zorder::morton_16(k, v)]
             .into_iter()
             .chain([zorder::first_index(v), lattice::extensible(k, v), lattice::fixed(k, 99, v)])
-            .chain([linear::digits(&[v; 10], &linear::places(k, v)[1])])
+            .chain([linear::digits(&[v; 10], k, v)])
     }))
 }
 

@@ -74,7 +74,7 @@ pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
     sum ^= strata::regular_1d(a, b) ^ strata::regular_2d(a, b)[0] ^ shift::global([a, b], [b, c])[1];
     sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
     sum ^= lattice::fixed(a, b, c) ^ lattice::extensible(a, b) ^ zorder::first_index(a) ^ hash::shuffle_rev(a, b);
-    sum ^= hash::owen_4(a, b) ^ linear::digits(&[a; 10], &linear::places(b, c)[1]);
+    sum ^= hash::owen_4(a, b) ^ linear::digits(&[a; 10], b, c);
     sum ^ unit::from_f32(unit::to_f32(a)) ^ torus::wrap(a, b)
 }
 
