@@ -131,10 +131,11 @@ fn ways_through_time() {
     ];
     println!("error over white's single frame, unfiltered / sigma 1.0 / sigma 2.1, mean of so many frames");
     let counts = [1, 2, 4, 8, 16, 64];
-    let mut found = Vec::new();
+    let (mut found, mut averages) = (Vec::new(), Vec::new());
     for (name, draw) in ways {
         let errors: Vec<[f64; 3]> = counts.iter().map(|&count| error(&smooth_1d(), 3..3 + count, *draw)).collect();
         let average = exponential(*draw);
+        averages.push(average);
         let text: Vec<String> =
             counts.iter().zip(&errors).map(|(n, [a, b, c])| format!("{n}: {a:.3}/{b:.3}/{c:.3}")).collect();
         println!("{name:15} {}  exponential .1: {:.3}/{:.3}", text.join("  "), average[0], average[1]);
@@ -144,7 +145,12 @@ fn ways_through_time() {
     assert!((single(2) / single(1) - 1.0).abs() < 0.05, "moving the place keeps a frame as it is");
     assert!(single(3) > 1.2 * single(2), "moving values does not");
     assert!(mean_16(3)[0] < 0.6 * mean_16(2)[0], "but averages better");
+    // A tenth of each new frame weighs as nineteen.
+    let independent = (0.1f64 / 1.9).sqrt();
+    assert!((averages[0][0] / independent - 1.0).abs() < 0.1, "white: {:?}", averages[0]);
+    assert!(averages[2][0] < 1.15 * independent && averages[2][1] < 0.3 * independent, "place: {:?}", averages[2]);
     assert!(mean_16(2)[1] < 0.10, "place: {:?}", mean_16(2));
+    assert!(found[2][5][0] < 0.6 * mean_16(2)[0], "frames do not come again: {:?}", found[2][5]);
     if let Some(over_time) = found.get(4) {
         assert!(over_time[0][1] < 1.6 * single(2), "a frame of a mask over time: {:?}", over_time[0]);
         assert!(over_time[4][0] < 0.5 * mean_16(2)[0] && over_time[4][1] < 0.6 * mean_16(2)[1], "{:?}", over_time[4]);

@@ -43,24 +43,35 @@ fn twin<const D: usize>(
                 if dx.abs().max(-dy) == 1 { near.push(sample) } else { far.push(sample) }
             }
         }
-        let least = |sample: [u32; D], set: &[[u32; D]]| {
-            set.iter().map(|&other| distance(sample, other)).fold(f64::INFINITY, f64::min)
-        };
-        let pixel = hash::combine(hash::combine(seed, y as u32), x as u32);
-        let candidate = |i: u32| {
-            let mut state = hash::combine(pixel, i);
-            core::array::from_fn(|_| {
-                let component = state;
-                state = hash::mix(state);
-                component
-            })
-        };
-        let mut candidates: Vec<[u32; D]> = (0..100).map(candidate).collect();
-        candidates.sort_by(|&a, &b| least(b, &near).total_cmp(&least(a, &near)));
-        candidates.truncate(10);
-        all.push(candidates.into_iter().max_by(|&a, &b| least(a, &far).total_cmp(&least(b, &far))).expect("ten"));
+        all.push(best(seed, [x as u32, y as u32], &near, &far, distance));
     }
     all
+}
+
+/// Of 100 candidates the ten farthest from `near`; of these the farthest from `far`.
+fn best<const D: usize>(
+    seed: u32,
+    [x, y]: [u32; 2],
+    near: &[[u32; D]],
+    far: &[[u32; D]],
+    distance: fn([u32; D], [u32; D]) -> f64,
+) -> [u32; D] {
+    let least = |sample: [u32; D], set: &[[u32; D]]| {
+        set.iter().map(|&other| distance(sample, other)).fold(f64::INFINITY, f64::min)
+    };
+    let pixel = hash::combine(hash::combine(seed, y), x);
+    let candidate = |i: u32| {
+        let mut state = hash::combine(pixel, i);
+        core::array::from_fn(|_| {
+            let component = state;
+            state = hash::mix(state);
+            component
+        })
+    };
+    let mut candidates: Vec<[u32; D]> = (0..100).map(candidate).collect();
+    candidates.sort_by(|&a, &b| least(b, near).total_cmp(&least(a, near)));
+    candidates.truncate(10);
+    candidates.into_iter().max_by(|&a, &b| least(a, far).total_cmp(&least(b, far))).expect("ten")
 }
 
 fn toroidal<const D: usize>(a: [u32; D], b: [u32; D]) -> f64 {
@@ -84,11 +95,27 @@ fn three_rows_are_enough() {
 
 #[test]
 fn short_rows_above_are_edges() {
-    let mut row = [[0u32; 2]; 9];
-    candidate::fill_row(1, 5, [&[], &[[7, 7]; 3]], &mut row);
+    let above: [Vec<[u32; 2]>; 2] = [11, 12].map(|seed| picture(seed, 9, 1));
+    for [long_2, long_1] in [[9, 9], [0, 3], [4, 9], [9, 0], [0, 0], [6, 2]] {
+        let above = [&above[0][..long_2], &above[1][..long_1]];
+        let mut row = [[0u32; 2]; 9];
+        candidate::fill_row(1, 5, above, &mut row);
+        for x in 0..9i64 {
+            let (mut near, mut far) = (Vec::new(), Vec::new());
+            for (dy, neighbours) in [(0, &row[..x as usize]), (1, above[1]), (2, above[0])] {
+                for (q, &sample) in neighbours.iter().enumerate() {
+                    match (q as i64 - x).abs().max(dy) {
+                        1 => near.push(sample),
+                        2 => far.push(sample),
+                        _ => {}
+                    }
+                }
+            }
+            assert_eq!(row[x as usize], best(1, [x as u32, 5], &near, &far, toroidal), "{long_2}, {long_1}: pixel {x}");
+        }
+    }
     let mut empty: [[u32; 2]; 0] = [];
-    candidate::fill_row(1, u32::MAX, [&row, &row], &mut empty);
-    assert!(row.iter().all(|&sample| sample != [0, 0]));
+    candidate::fill_row(1, u32::MAX, [&above[0], &above[1]], &mut empty);
 }
 
 /// The integral and the integrand.

@@ -20,6 +20,7 @@ fn points_differ_at_both_ends_of_any_number_of_samples() {
     for spp in [1, 2, 3, 7, 12, 100, 1000, 1 << 31, u32::MAX] {
         let near = |middle: u32| (0..16).map(move |k| middle.saturating_sub(8).saturating_add(k));
         let mut indices: Vec<u32> = near(0).chain(near(spp / 2)).chain(near(spp)).filter(|&i| i < spp).collect();
+        indices.extend((0..1 << 12).map(|k| k << 20).filter(|&i| i < spp));
         indices.sort_unstable();
         indices.dedup();
         for_every_sampler!(9, spp, |name, sampler| {

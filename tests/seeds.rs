@@ -116,6 +116,21 @@ fn blocks_are_sorted_as_the_paper_says() {
     check::<8>();
 }
 
+/// A part is retargeted as it is in the whole, but for six rows where it begins: two a round miss their partners.
+#[test]
+fn parts_are_retargeted_where_they_stand() {
+    let (width, first, height) = (70u32, 21u32, 64u32);
+    for frame in [0, 5] {
+        let mut whole: Vec<u32> = (0..width * (first + height)).collect();
+        let mut part = whole.split_off((width * first) as usize);
+        whole.extend_from_slice(&part);
+        seeds::retarget(&mut whole, Rows { width, first: 0 }, frame);
+        seeds::retarget(&mut part, Rows { width, first }, frame);
+        let common = (width * (height - 6)) as usize;
+        assert!(whole[whole.len() - common..] == part[part.len() - common..], "frame {frame}");
+    }
+}
+
 #[test]
 fn parts_give_what_the_whole_does() {
     let (width, height) = (37u32, 41u32);
@@ -238,6 +253,6 @@ fn six_frames_halve_the_filtered_error_of_paths() {
     let none = after_frames::<8>(0, &exact);
     println!("8x8 {eight:.3?}, 4x4 {four:.3?}, none {none:.3?}");
     assert!(eight[0] <= 0.52 && eight[1] <= 0.48, "8x8: {eight:?}");
-    assert!(four[0] <= 0.58 && four[1] <= 0.68, "4x4: {four:?}");
+    assert!(four[0] <= 0.48 && four[1] <= 0.56, "4x4, which sorting alone does not reach: {four:?}");
     assert_eq!(none, [1.0; 2]);
 }

@@ -97,7 +97,7 @@ impl Recipe {
         1 << self.frames_log2()
     }
 
-    /// Where its random numbers begin; a kind keeps its own whatever others come and go.
+    /// Where its random numbers begin: fixed for each kind, whatever others come and go; two may share one.
     pub fn seed(self) -> u64 {
         let kind = match self.kind {
             Kind::Threshold | Kind::Retargeting => 0,

@@ -99,7 +99,7 @@ pub fn over_time(
 
 /// Tiles take turns in bit-reversed order, another one first for every rank, so that none always has the choice.
 fn whose_turn(turn: usize, rank: usize, frames_log2: u32) -> usize {
-    let reversed = (turn.reverse_bits() as u64 >> 1 >> (63 - frames_log2)) as usize;
+    let reversed = ((turn as u64).reverse_bits() >> 1 >> (63 - frames_log2)) as usize;
     (reversed + rank) & ((1 << frames_log2) - 1)
 }
 

@@ -1,4 +1,4 @@
-//! Masks over time: a threshold mask for every frame, blue in each frame and in each pixel's sequence of frames.
+//! Masks over time, or spatiotemporal masks: a threshold mask for every frame, blue in each frame and in each pixel's sequence of frames.
 //!
 //! Void-and-cluster in three dimensions (Ulichney 1993; Wolfe and others 2022), with the frames' tiles treated alike at
 //! every step, so that each is a permutation of its ranks as a still mask is. After the last frame the first follows.
@@ -26,7 +26,8 @@
 
 use crate::mask::ScalarMask;
 
-/// T masks of S×S pixels; T is a power of two.
+/// T masks of S×S pixels; T is a power of two. To dither by one, `Dither::blue(mask.frame(n))`, without `Dither::frame`.
+#[doc(alias = "spatiotemporal")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TimeMask<const S: usize, const T: usize> {
     frames: [ScalarMask<S>; T],

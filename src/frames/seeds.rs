@@ -5,8 +5,10 @@
 //! sort:     in every block, the seed of the k-th darkest estimate goes to the pixel of k-th smallest rank in a mask
 //! retarget: pairs of neighbours swap seeds, so that what was sorted for this frame's place of the mask fits the next's
 //! ```
-//! A seed that was dark here will be dark a few pixels away, so the next frame's errors follow the mask. Both steps only
-//! permute: each seed is used once a frame, as it was before, so estimates stay unbiased over random first seeds.
+//! A seed that was dark here will be dark a few pixels away, so the next frame's errors follow the mask. On a smooth wall
+//! (`tests/seeds.rs`) six frames leave .43 of white's filtered error with blocks of 4 pixels a side, and .53 without the
+//! second step; with 8 a side it is .39 and .36, since sorting alone moves seeds as far: there it helps the mean of frames
+//! after wider filters only. Both steps only permute: each seed is used once a frame, as it was before, so estimates stay unbiased over random first seeds.
 //!
 //! For paths of many bounces, where samplers have nothing to offer over several pixels. It needs frames that resemble
 //! each other: after a cut it starts anew, and where the picture is rough, or moves by more than what is alike in it, the
@@ -27,8 +29,8 @@
 //! ```
 //!
 //! In place, without allocation, for pictures of any size: 64 seeds at a time are on the stack. Rows may be given in
-//! parts, to [`sort`] and [`retarget`] themselves. Every frame costs a pass of sorting and three of swaps: two to
-//! three times what one pair of numbers of [`Sampler`](crate::Sampler) costs, some 30 ns a pixel.
+//! parts, to [`sort`] and [`retarget`] themselves; of `retarget`, up to six rows at a cut then differ from what the whole
+//! would give. Every frame costs a pass of sorting and three of swaps.
 
 use crate::tables::{SEED_PERMUTATION, THRESHOLD_64};
 

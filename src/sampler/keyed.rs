@@ -10,8 +10,8 @@ use crate::{hash, keys::Keys, torus};
 /// are from 64 samples on; a net of its own in every pixel at every power of two. Every domain, pad and frame reads the
 /// tile at a place of its own and visits the points in an order of its own, the same for all pixels, so that a domain
 /// costs a pixel one look-up and two XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points;
-/// from the 257th on another look-up for each bit set above the eighth. Drawn row by row that is as fast as the tables of
-/// 2019.
+/// from the 257th on another look-up for each bit set above the eighth. [`fill_row`](Self::fill_row) takes half as long
+/// as the tables of 2019, single draws up to 1.8 times (`report speed`).
 ///
 /// The first samples of two domains or frames are as good as uncorrelated, by less than .08 over the pixels of a tile. A
 /// tile is patches of 16×16 pixels, each with digits of its own: from four samples on their errors show more of a pattern

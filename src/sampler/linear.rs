@@ -68,9 +68,9 @@ impl Sampler {
     #[inline]
     fn words_of_row<T>(
         &self,
+        pad: u32,
         [x, y, frame]: [u32; 3],
         domain: u32,
-        pad: u32,
         index: u32,
         mut targets: impl Iterator<Item = T>,
         put: impl Fn(T, u64),
@@ -82,10 +82,9 @@ impl Sampler {
             let block = block(seed, x, y);
             let shared = Shared::new(self.order, block, domain, pad);
             let columns = shared.columns_of_x();
-            let mut key = shared.pair(x, y, 0, 0).key;
+            let mut key = shared.key(x, y);
             while let Some(target) = next {
-                let LinearPair { swap, shuffle, flip_rev, .. } = shared.pair(0, 0, own(block, x, y), self.flips_rev);
-                put(target, LinearPair { key, swap, shuffle, flip_rev }.word(index_rev));
+                put(target, shared.pair(key, own(block, x, y), self.flips_rev).word(index_rev));
                 x = x.wrapping_add(1);
                 next = targets.next();
                 if x & INSIDE == 0 {
@@ -99,27 +98,27 @@ impl Sampler {
     #[inline]
     fn pairs_of_row<T>(
         &self,
-        pixel: [u32; 3],
-        domain: u32,
         pad: u32,
+        row: [u32; 3],
+        domain: u32,
         index: u32,
         targets: impl Iterator<Item = T>,
         put: impl Fn(T, [u32; 2]),
     ) {
-        self.words_of_row(pixel, domain, pad, index, targets, |target, word| put(target, halves(word)));
+        self.words_of_row(pad, row, domain, index, targets, |target, word| put(target, halves(word)));
     }
 
     #[inline]
     fn singles_of_row<T>(
         &self,
-        pixel: [u32; 3],
-        domain: u32,
         pad: u32,
+        row: [u32; 3],
+        domain: u32,
         index: u32,
         targets: impl Iterator<Item = T>,
         put: impl Fn(T, u32),
     ) {
-        self.words_of_row(pixel, domain, pad, index, targets, |target, word| put(target, halves(word)[0]));
+        self.words_of_row(pad, row, domain, index, targets, |target, word| put(target, halves(word)[0]));
     }
 }
 
@@ -159,7 +158,8 @@ impl LinearPixel {
 
     #[inline]
     const fn pair(self, domain: u32, pad: u32) -> LinearPair {
-        Shared::new(self.order, self.block, domain, pad).pair(self.x, self.y, self.own, self.flips_rev)
+        let shared = Shared::new(self.order, self.block, domain, pad);
+        shared.pair(shared.key(self.x, self.y), self.own, self.flips_rev)
     }
 }
 
@@ -186,12 +186,17 @@ impl Shared {
         self.choice >> 3 & 1 == 1
     }
 
-    /// What one pixel has.
+    /// What a pixel adds to its points.
+    #[inline]
+    const fn key(self, x: u32, y: u32) -> u64 {
+        let (x, y) = if self.transposed() { (y, x) } else { (x, y) };
+        self.shift ^ in_place(linear::digits(self.columns, x, y))
+    }
+
+    /// What the pixel of a key has.
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
-    const fn pair(self, x: u32, y: u32, own: u32, flips_rev: u32) -> LinearPair {
-        let (x, y) = if self.transposed() { (y, x) } else { (x, y) };
-        let key = self.shift ^ in_place(linear::digits(self.columns, x, y));
+    const fn pair(self, key: u64, own: u32, flips_rev: u32) -> LinearPair {
         // All pixels of a block in one order of samples would keep two domains in step over it.
         let random = ((self.choice ^ own) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let (shuffle, flip_rev) = ((random >> 32) as u32, random as u32 & flips_rev);

@@ -99,14 +99,42 @@ macro_rules! call_shape {
             /// what does not depend on the index is done once. Indices wrap after 2³²−1.
             #[inline]
             pub fn fill_fx<const D: usize>(self, domain: u32, first: u32, samples: &mut [[u32; D]]) {
-                $crate::sampler::fill!(self, domain, first, samples, D, |value| value);
+                $crate::sampler::fill!(samples, D, |value| value, self.singles / pairs(domain, first));
             }
 
             /// Samples `first`, `first` + 1, … for purpose `domain`, as by [`draw`](Self::draw), which this outruns: what
             /// does not depend on the index is done once. Indices wrap after 2³²−1.
             #[inline]
             pub fn fill<const D: usize>(self, domain: u32, first: u32, samples: &mut [[f32; D]]) {
-                $crate::sampler::fill!(self, domain, first, samples, D, $crate::unit::to_f32);
+                $crate::sampler::fill!(samples, D, $crate::unit::to_f32, self.singles / pairs(domain, first));
+            }
+
+            #[inline]
+            fn singles<T>(
+                self,
+                pad: u32,
+                domain: u32,
+                first: u32,
+                targets: impl Iterator<Item = T>,
+                put: impl Fn(T, u32),
+            ) {
+                let single = self.single(domain, pad);
+                let value = |index_rev| $crate::sampler::Single::value(single, index_rev);
+                $crate::sampler::each_rev(first, targets, value, put);
+            }
+
+            #[inline]
+            fn pairs<T>(
+                self,
+                pad: u32,
+                domain: u32,
+                first: u32,
+                targets: impl Iterator<Item = T>,
+                put: impl Fn(T, [u32; 2]),
+            ) {
+                let pair = self.pair(domain, pad);
+                let point = |index_rev| $crate::sampler::Pair::point(pair, index_rev);
+                $crate::sampler::each_rev(first, targets, point, put);
             }
 
             /// The pixel's first `count` samples for purpose `domain` at once; at most `CAPACITY` of them.
@@ -127,33 +155,30 @@ macro_rules! call_shape {
 }
 use call_shape;
 
-/// Fills `samples` pair by pair, each component through `convert`. Places are constants, so that no check is left.
+/// Fills `samples` pair by pair, each component through `convert`: `receiver.singles(pad, arguments.., targets, put)`, or
+/// `pairs`, gives all targets their numbers. Places are constants, so that no check is left.
 macro_rules! fill {
-    ($pixel:ident, $domain:ident, $first:ident, $samples:ident, $D:ident, $convert:expr) => {{
+    ($samples:ident, $D:ident, $convert:expr, $receiver:ident.$singles:ident/$pairs:ident $arguments:tt) => {{
         const { assert!($D >= 1 && $D <= 4, "a domain has 1 to 4 dimensions: fill more from further domains") };
         if $D == 1 {
-            $crate::sampler::fill!(@single $pixel, $domain, $first, $samples, 0, $convert);
+            $crate::sampler::fill!(@single 0, $samples, $convert, $receiver.$singles $arguments);
         } else {
-            $crate::sampler::fill!(@pair $pixel, $domain, $first, $samples, 0, $convert);
+            $crate::sampler::fill!(@pair 0, $samples, $convert, $receiver.$pairs $arguments);
         }
         if $D == 3 {
-            $crate::sampler::fill!(@single $pixel, $domain, $first, $samples, 2, $convert);
+            $crate::sampler::fill!(@single 2, $samples, $convert, $receiver.$singles $arguments);
         }
         if $D == 4 {
-            $crate::sampler::fill!(@pair $pixel, $domain, $first, $samples, 2, $convert);
+            $crate::sampler::fill!(@pair 2, $samples, $convert, $receiver.$pairs $arguments);
         }
     }};
-    (@single $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
+    (@single $k:literal, $samples:ident, $convert:expr, $receiver:ident.$singles:ident($($argument:expr),*)) => {
         let put = |sample: &mut [_; D], value| [sample[$k]] = [value].map($convert);
-        let single = $pixel.single($domain, $k / 2);
-        let value = |index_rev| $crate::sampler::Single::value(single, index_rev);
-        $crate::sampler::each_rev($first, $samples.iter_mut(), value, put);
+        $receiver.$singles($k / 2, $($argument,)* $samples.iter_mut(), put);
     };
-    (@pair $pixel:ident, $domain:ident, $first:ident, $samples:ident, $k:literal, $convert:expr) => {
+    (@pair $k:literal, $samples:ident, $convert:expr, $receiver:ident.$pairs:ident($($argument:expr),*)) => {
         let put = |sample: &mut [_; D], point: [u32; 2]| [sample[$k], sample[$k + 1]] = point.map($convert);
-        let pair = $pixel.pair($domain, $k / 2);
-        let point = |index_rev| $crate::sampler::Pair::point(pair, index_rev);
-        $crate::sampler::each_rev($first, $samples.iter_mut(), point, put);
+        $receiver.$pairs($k / 2, $($argument,)* $samples.iter_mut(), put);
     };
 }
 use fill;

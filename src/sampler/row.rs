@@ -18,7 +18,8 @@ macro_rules! row_shape {
                 index: u32,
                 samples: &mut [[u32; D]],
             ) {
-                $crate::sampler::row::fill_row!(self, [x, y, frame], domain, index, samples, D, |value| value);
+                let row = [x, y, frame];
+                $crate::sampler::fill!(samples, D, |value| value, self.singles_of_row / pairs_of_row(row, domain, index));
             }
 
             /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`: what their
@@ -34,39 +35,13 @@ macro_rules! row_shape {
                 index: u32,
                 samples: &mut [[f32; D]],
             ) {
-                $crate::sampler::row::fill_row!(self, [x, y, frame], domain, index, samples, D, $crate::unit::to_f32);
+                let (row, convert) = ([x, y, frame], $crate::unit::to_f32);
+                $crate::sampler::fill!(samples, D, convert, self.singles_of_row / pairs_of_row(row, domain, index));
             }
         }
     };
 }
 pub(super) use row_shape;
-
-/// Fills `samples` pair by pair, as `fill!` does, from pixel to pixel.
-macro_rules! fill_row {
-    ($sampler:ident, $pixel:expr, $domain:ident, $index:ident, $samples:ident, $D:ident, $convert:expr) => {{
-        const { assert!($D >= 1 && $D <= 4, "a domain has 1 to 4 dimensions: fill more from further domains") };
-        if $D == 1 {
-            $crate::sampler::row::fill_row!(@single $sampler, $pixel, $domain, $index, $samples, 0, $convert);
-        } else {
-            $crate::sampler::row::fill_row!(@pair $sampler, $pixel, $domain, $index, $samples, 0, $convert);
-        }
-        if $D == 3 {
-            $crate::sampler::row::fill_row!(@single $sampler, $pixel, $domain, $index, $samples, 2, $convert);
-        }
-        if $D == 4 {
-            $crate::sampler::row::fill_row!(@pair $sampler, $pixel, $domain, $index, $samples, 2, $convert);
-        }
-    }};
-    (@single $sampler:ident, $pixel:expr, $domain:ident, $index:ident, $samples:ident, $k:literal, $convert:expr) => {
-        let put = |sample: &mut [_; D], value| [sample[$k]] = [value].map($convert);
-        $sampler.singles_of_row($pixel, $domain, $k / 2, $index, $samples.iter_mut(), put);
-    };
-    (@pair $sampler:ident, $pixel:expr, $domain:ident, $index:ident, $samples:ident, $k:literal, $convert:expr) => {
-        let put = |sample: &mut [_; D], point: [u32; 2]| [sample[$k], sample[$k + 1]] = point.map($convert);
-        $sampler.pairs_of_row($pixel, $domain, $k / 2, $index, $samples.iter_mut(), put);
-    };
-}
-pub(super) use fill_row;
 
 /// The private draws for a row, pixel by pixel.
 macro_rules! row_by_pixels {
@@ -75,9 +50,9 @@ macro_rules! row_by_pixels {
             #[inline]
             fn singles_of_row<T>(
                 &self,
+                pad: u32,
                 [x, y, frame]: [u32; 3],
                 domain: u32,
-                pad: u32,
                 index: u32,
                 targets: impl Iterator<Item = T>,
                 put: impl Fn(T, u32),
@@ -93,9 +68,9 @@ macro_rules! row_by_pixels {
             #[inline]
             fn pairs_of_row<T>(
                 &self,
+                pad: u32,
                 [x, y, frame]: [u32; 3],
                 domain: u32,
-                pad: u32,
                 index: u32,
                 targets: impl Iterator<Item = T>,
                 put: impl Fn(T, [u32; 2]),

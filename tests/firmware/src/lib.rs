@@ -1,4 +1,4 @@
-//! Checksums of every public function family, the same on every machine.
+//! Checksums of the families of functions that small machines take, the same on every machine.
 #![no_std]
 
 use bluedither::dither::{Samples, alpha, gamma, ordered, quantise};

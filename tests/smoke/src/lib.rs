@@ -4,11 +4,12 @@
 //! Build it with `RUSTFLAGS="-Clink-arg=-nostdlib -Clink-arg=-Wl,--no-undefined,--gc-sections"`.
 #![no_std]
 
-use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
+use bluedither::frames::seeds::{Rows, retarget, sort};
+use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64, THRESHOLD_OVER_TIME_32};
 use bluedither::dither::{Samples, alpha, ordered, quantise};
 use bluedither::keys_2019::Tables2019;
 use bluedither::{
-    Constant, Dither, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
+    Constant, Dither, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder, candidate, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
 };
 
 unsafe extern "C" {
@@ -123,4 +124,18 @@ pub extern "C" fn rows(seed: u32, spp: u32, x: u32, y: u32, domain: u32, index: 
     Keyed::with_keys(&KEYS, seed).pixel(x, y, 0).fill(domain, index, out);
     Rank1::with_mask(&OFFSET_2D_64, seed).fill_row(x, y, 0, domain, index, out);
     Dithered::with_spp(seed, spp).stratified(spp).fill_row(x, y, 0, domain, index, out);
+}
+
+/// Over time, and best candidates.
+#[unsafe(no_mangle)]
+pub extern "C" fn frames(seeds: &mut [u32; 99], n: usize, estimates: &[f32; 99], width: u32, first: u32, frame: u32) -> u32 {
+    let (Some(seeds), Some(estimates)) = (seeds.get_mut(..n), estimates.get(..n)) else { return 0 };
+    let rows = Rows { width, first };
+    sort::<2>(seeds, estimates, rows, frame);
+    sort::<4>(seeds, estimates, rows, frame);
+    sort::<8>(seeds, estimates, rows, frame);
+    retarget(seeds, rows, frame);
+    let (samples, _) = seeds.as_chunks_mut::<2>();
+    candidate::fill_row(frame, first, [&[[1, 2]], &[]], samples);
+    THRESHOLD_OVER_TIME_32.frame(frame).value_fx(width, first)
 }

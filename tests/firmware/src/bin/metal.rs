@@ -120,13 +120,13 @@ fn run() -> ! {
     let source: [u8; 400] = core::array::from_fn(|x| (x * 7) as u8);
     let mut bits = [0; 50];
     let ticks = machine::ticks(|| {
-        for y in 0..24 {
+        for y in 0..4 {
             core::hint::black_box(firmware::one_row(y, core::hint::black_box(&source), &mut bits));
         }
     });
     if let Some(ticks) = ticks {
         // 25.6 ticks an instruction.
-        let hundredths = u64::from(ticks) * 1000 / (256 * 24 * 400);
+        let hundredths = u64::from(ticks) * 1000 / (256 * 4 * 400);
         machine::print(format_args!("# ticks {ticks}: {hundredths} hundredths of an instruction a pixel, grey to 1 bit"));
     }
     machine::print(format_args!("# deepest stack {deepest} bytes"));
