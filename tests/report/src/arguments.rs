@@ -67,6 +67,8 @@ pub enum Part {
     Size,
     /// Spectra of the masks themselves
     Masks,
+    /// Nanoseconds a dithered pixel, beside a copy of memory
+    Dither,
     /// Integrands of 4 and 8 dimensions, over domains
     Domains,
     /// Edges that move over the screen

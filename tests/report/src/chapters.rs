@@ -8,7 +8,9 @@ use crate::page::{self, Chapter};
 use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
-use crate::{builds, charts, classic, domains, edges, instructions, masks_part, scene_part, singles};
+use crate::{
+    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, singles,
+};
 
 /// The page's chapters, and files of numbers beside their tables.
 #[derive(Debug)]
@@ -91,11 +93,16 @@ pub fn measure(arguments: &Arguments) -> Report {
         add("Builds", &text, tables);
     }
     if let Some(speeds) = &speeds {
-        add("Speed", "Compare columns of one run: clocks wander, ratios stay.", speeds.tables());
+        let mut tables = speeds.tables();
+        tables.push(set_up::table(&names, arguments.rounds()));
+        add("Speed", "Compare columns of one run: clocks wander, ratios stay.", tables);
     }
     report.speeds = speeds;
     if arguments.has(Part::Masks) {
         report.chapters.push(masks_part::chapter());
+    }
+    if arguments.has(Part::Dither) {
+        report.chapters.push(dither_part::chapter(arguments.quick));
     }
     report
 }

@@ -18,6 +18,7 @@ mod charts;
 mod checks;
 mod classic;
 mod denoise;
+mod dither_part;
 mod domains;
 mod edges;
 mod error_part;
@@ -49,6 +50,7 @@ mod samplers;
 #[path = "../../../examples/render/scene.rs"]
 mod scene;
 mod scene_part;
+mod set_up;
 mod shape;
 #[path = "../../../examples/render/shapes.rs"]
 #[allow(missing_debug_implementations, reason = "a program's")]

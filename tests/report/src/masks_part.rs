@@ -41,8 +41,8 @@ fn grid(size: u32) -> impl Iterator<Item = [u32; 2]> {
     (0..size * size).map(move |p| [p % size, p / size])
 }
 
-/// The `blue-noise` package's void and cluster; behind a feature, for it brings every image format with it.
-#[cfg(feature = "void-and-cluster")]
+/// The `blue-noise` package's void and cluster; behind a feature, for it brings every image format.
+#[cfg(feature = "blue-noise")]
 fn peers() -> Vec<Mask> {
     let start = Instant::now();
     let config =
@@ -58,7 +58,7 @@ fn peers() -> Vec<Mask> {
     made.map(mask).into_iter().collect()
 }
 
-#[cfg(not(feature = "void-and-cluster"))]
+#[cfg(not(feature = "blue-noise"))]
 fn peers() -> Vec<Mask> {
     Vec::new()
 }
@@ -99,7 +99,7 @@ pub fn chapter() -> Chapter {
     let y = Axis { label: "power of the mask (mean 1)".into(), logarithmic: true, ticks: vec![] };
     let series: Vec<Series> = masks.iter().zip(&spectra).enumerate().map(line).collect();
     let mut rows: Vec<Vec<String>> = masks.iter().zip(&spectra).map(row).collect();
-    if !cfg!(feature = "void-and-cluster") {
+    if !cfg!(feature = "blue-noise") {
         rows.push(FROZEN.map(String::from).to_vec());
     }
     Chapter {

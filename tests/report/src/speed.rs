@@ -188,7 +188,7 @@ pub fn measure(names: &[&'static str], rounds: usize) -> Speeds {
     Speeds { names: names.to_vec(), rows }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
 }
