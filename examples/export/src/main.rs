@@ -1,0 +1,58 @@
+//! Writes the library's tables and functions for other engines, languages and tools.
+//!
+//! ```text
+//! cargo run -p export -- --out DIR
+//! ```
+//!
+//! Masks as raw bytes, PNG of 8 and 16 bits and DDS; a C99 header; a manifest with the digests. More tables by features:
+//! `--features keys-64`, or `--all-features` for all there are.
+
+mod arguments;
+mod c;
+#[cfg(all(test, feature = "all"))]
+mod c_checks;
+#[path = "../../../src/bake/digest.rs"]
+#[allow(dead_code, reason = "the bake uses the rest")]
+mod digest;
+mod folder;
+#[allow(dead_code, reason = "which kinds of tables there are depends on features")]
+mod tables;
+#[cfg(all(test, feature = "all"))]
+mod texture_checks;
+mod textures;
+
+use arguments::{Arguments, Language};
+use clap::Parser;
+use folder::Folder;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(line) => {
+            eprintln!("error: {line}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Textures, then languages, then the manifest of both.
+fn run(arguments: &Arguments) -> Result<(), String> {
+    let tables = tables::named(&arguments.mask)?;
+    let mut folder = Folder::create(&arguments.out)?;
+    if arguments.textures() {
+        for table in &tables {
+            textures::write(table, &mut folder)?;
+        }
+    }
+    for language in arguments.languages() {
+        match language {
+            Language::C => folder.write("bluedither.h", "C99 header", c::header(&tables).as_bytes())?,
+        }
+    }
+    if tables.iter().any(|table| table.kind == tables::Kind::Directions) {
+        let text = include_bytes!("../../../tables/joe_kuo.LICENSE.txt");
+        folder.write("joe_kuo.LICENSE.txt", "licence of the direction numbers", text)?;
+    }
+    folder.close(&tables)
+}
