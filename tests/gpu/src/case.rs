@@ -5,9 +5,19 @@ use bluedither::shader::Parts;
 use crate::arguments::{CALLS, arguments};
 use crate::device::{Bound, Device, FOUND, GIVEN, Way};
 
+/// Where a shader finds its arguments and leaves its results: [`GIVEN`] and [`FOUND`].
+const BUFFERS: &str = "
+@group(0) @binding(14) var<storage, read> given: array<u32>;
+@group(0) @binding(15) var<storage, read_write> found: array<u32>;
+";
+const ENTRY: &str = "
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let call = id.x;";
+
 /// A function of words, by name `a`, `b`, `c`, … in the WGSL.
 pub struct Case {
-    parts: Parts,
+    pub parts: Parts,
     tables: Vec<Bound>,
     arguments: usize,
     results: usize,
@@ -44,36 +54,23 @@ impl Case {
     }
 
     fn entry(&self) -> String {
-        let (n, m) = (self.arguments, self.results);
-        let names: String = ('a'..='z')
-            .take(n)
-            .zip(0..)
-            .map(|(name, k)| format!("    let {name} = given[{n}u * call + {k}u];\n"))
-            .collect();
-        let (statements, value) = self
-            .expression
-            .rsplit_once(';')
-            .map_or((String::new(), self.expression), |(s, e)| (s.to_string() + ";", e));
-        let kind = if m == 1 { "u32".to_string() } else { format!("vec{m}<u32>") };
-        let results: String = (0..m)
-            .map(|k| {
-                let component = if m == 1 { String::new() } else { format!("[{k}]") };
-                format!("    found[{m}u * call + {k}u] = result{component};\n")
-            })
-            .collect();
-        format!(
-            "
-@group(0) @binding({GIVEN}) var<storage, read> given: array<u32>;
-@group(0) @binding({FOUND}) var<storage, read_write> found: array<u32>;
+        format!("{BUFFERS}{ENTRY}\n{}}}\n", self.call())
+    }
 
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
-    let call = id.x;
-{names}    {statements}
-    let result = bitcast<{kind}>({value});
-{results}}}
-"
-        )
+    /// Statements that read the arguments and write the results.
+    fn call(&self) -> String {
+        let (n, m) = (self.arguments, self.results);
+        let names = ('a'..='z').take(n).zip(0..);
+        let names: String = names.map(|(name, k)| format!("    let {name} = given[{n}u * call + {k}u];\n")).collect();
+        let (statements, value) = self.expression.rsplit_once("; ").unwrap_or(("", self.expression));
+        let end = if statements.is_empty() { "" } else { ";\n" };
+        let (kind, components) = match m {
+            1 => ("u32".to_string(), vec![String::new()]),
+            _ => (format!("vec{m}<u32>"), (0..m).map(|k| format!("[{k}]")).collect()),
+        };
+        let results = components.iter().zip(0..);
+        let results: String = results.map(|(c, k)| format!("    found[{m}u * call + {k}u] = result{c};\n")).collect();
+        format!("{names}    {statements}{end}    let result = bitcast<{kind}>({value});\n{results}")
     }
 
     /// Calls it a million times by each way to bind tables. The error tells the first difference.
@@ -99,4 +96,19 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
         }
         Ok(())
     }
+}
+
+/// One shader that calls all of the cases.
+pub fn all_in_one(parts: Parts, cases: &[&Case], way: Way) -> String {
+    let mut tables: Vec<&Bound> = Vec::new();
+    for bound in cases.iter().flat_map(|case| &case.tables) {
+        // Of two sizes of a mask, the first.
+        if !tables.iter().any(|other| other.table == bound.table) {
+            tables.push(bound);
+        }
+    }
+    let texts: String = parts.texts().collect();
+    let tables: String = tables.iter().map(|table| table.text(way)).collect();
+    let calls: String = cases.iter().map(|case| format!("    {{\n{}    }}\n", case.call())).collect();
+    format!("{texts}{tables}{BUFFERS}{ENTRY}\n{calls}}}\n")
 }

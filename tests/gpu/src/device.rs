@@ -5,8 +5,8 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroupLayoutEntry, BindingType, BufferBindingType, BufferUsages, ShaderStages};
 
 /// Where a shader finds its arguments and leaves its results, beside the tables in group 0.
-pub const GIVEN: u32 = 30;
-pub const FOUND: u32 = 31;
+pub const GIVEN: u32 = 14;
+pub const FOUND: u32 = 15;
 
 /// A table as it is bound: its words, and how large a texture of it is.
 #[derive(Clone)]

@@ -1,8 +1,9 @@
 //! Runs every function of the shaders a million times on a Vulkan device, and compares it with Rust bit for bit.
 //!
 //! ```text
-//! cargo test -p gpu              # all
-//! cargo test -p gpu -- sampler   # those whose expression contains a word
+//! cargo test -p gpu                   # all
+//! cargo test -p gpu -- sampler        # those whose expression contains a word
+//! cargo run -p gpu -- --out DIR       # writes shaders that call every function, in every language
 //! ```
 
 mod arguments;
@@ -10,12 +11,22 @@ mod bind;
 mod case;
 mod cases;
 mod device;
+#[path = "../../../examples/export/translate.rs"]
+mod translate;
+mod write;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let word = std::env::args().nth(1).unwrap_or_default();
-    match check(&word) {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => check(""),
+        ["--out", directory] => write::write(Path::new(directory)),
+        [word] if !word.starts_with('-') => check(word),
+        _ => Err("the arguments are a word, or --out and a folder, or none".to_string()),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(line) => {
             eprintln!("error: {line}");
