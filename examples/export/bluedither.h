@@ -286,13 +286,13 @@ static inline void bd_shift_stratified_2d(uint32_t cell, uint32_t count, const u
 typedef struct {
     const uint16_t *ranks;
     uint32_t size_log2;
-} bd_mask_t;
+} bd_scalar_mask_t;
 
 /* Two numbers a pixel, interleaved. */
 typedef struct {
     const uint16_t *ranks;
     uint32_t size_log2;
-} bd_mask_2_t;
+} bd_vector_mask_t;
 
 /* A mask for each of 2^frames_log2 frames. */
 typedef struct {
@@ -306,43 +306,43 @@ static inline uint32_t bd_mask_place(uint32_t size_log2, uint32_t x, uint32_t y)
 }
 
 /* The 0.32 value of a rank: the centre of its cell. */
-static inline uint32_t bd_mask_value_of_rank(uint32_t rank, uint32_t size_log2) {
+static inline uint32_t bd_mask_value_fx(uint32_t rank, uint32_t size_log2) {
     return (2 * rank + 1) << (31 - 2 * size_log2);
 }
 
 /* The rank at a pixel. */
-static inline uint16_t bd_mask_rank(bd_mask_t mask, uint32_t x, uint32_t y) {
+static inline uint16_t bd_scalar_rank(bd_scalar_mask_t mask, uint32_t x, uint32_t y) {
     return mask.ranks[bd_mask_place(mask.size_log2, x, y)];
 }
 
 /* The value at a pixel. */
-static inline uint32_t bd_mask_value_fx(bd_mask_t mask, uint32_t x, uint32_t y) {
-    return bd_mask_value_of_rank(bd_mask_rank(mask, x, y), mask.size_log2);
+static inline uint32_t bd_scalar_value_fx(bd_scalar_mask_t mask, uint32_t x, uint32_t y) {
+    return bd_mask_value_fx(bd_scalar_rank(mask, x, y), mask.size_log2);
 }
 
 /* The value at a pixel, in (0, 1). */
-static inline float bd_mask_value(bd_mask_t mask, uint32_t x, uint32_t y) {
-    return bd_unit_to_f32(bd_mask_value_fx(mask, x, y));
+static inline float bd_scalar_value(bd_scalar_mask_t mask, uint32_t x, uint32_t y) {
+    return bd_unit_to_f32(bd_scalar_value_fx(mask, x, y));
 }
 
 /* The ranks at a pixel. */
-static inline void bd_mask_2_rank(bd_mask_2_t mask, uint32_t x, uint32_t y, uint16_t out[2]) {
+static inline void bd_vector_rank(bd_vector_mask_t mask, uint32_t x, uint32_t y, uint16_t out[2]) {
     const uint32_t place = 2 * bd_mask_place(mask.size_log2, x, y);
     out[0] = mask.ranks[place];
     out[1] = mask.ranks[place + 1];
 }
 
 /* The values at a pixel. */
-static inline void bd_mask_2_value_fx(bd_mask_2_t mask, uint32_t x, uint32_t y, uint32_t out[2]) {
+static inline void bd_vector_value_fx(bd_vector_mask_t mask, uint32_t x, uint32_t y, uint32_t out[2]) {
     uint16_t ranks[2];
-    bd_mask_2_rank(mask, x, y, ranks);
-    out[0] = bd_mask_value_of_rank(ranks[0], mask.size_log2);
-    out[1] = bd_mask_value_of_rank(ranks[1], mask.size_log2);
+    bd_vector_rank(mask, x, y, ranks);
+    out[0] = bd_mask_value_fx(ranks[0], mask.size_log2);
+    out[1] = bd_mask_value_fx(ranks[1], mask.size_log2);
 }
 
 /* The mask of a frame; after the last the first comes again. */
-static inline bd_mask_t bd_time_mask_frame(bd_time_mask_t masks, uint32_t frame) {
-    bd_mask_t mask;
+static inline bd_scalar_mask_t bd_time_mask_frame(bd_time_mask_t masks, uint32_t frame) {
+    bd_scalar_mask_t mask;
     const uint32_t place = bd_torus_wrap(frame, UINT32_C(1) << masks.frames_log2);
     mask.ranks = masks.ranks + (place << 2 * masks.size_log2);
     mask.size_log2 = masks.size_log2;
@@ -352,13 +352,13 @@ static inline bd_mask_t bd_time_mask_frame(bd_time_mask_t masks, uint32_t frame)
 /* ---- dither: halftoning by the thresholds of a mask, integers only ---- */
 
 /* The threshold of a channel (0..3, then again) at a pixel; frames look the mask up elsewhere. Channel 0 of frame 0 is
- * bd_mask_value_fx. */
-static inline uint32_t bd_dither_threshold_fx(bd_mask_t mask, uint32_t x, uint32_t y, uint32_t channel,
+ * bd_scalar_value_fx. */
+static inline uint32_t bd_dither_threshold_fx(bd_scalar_mask_t mask, uint32_t x, uint32_t y, uint32_t channel,
                                               uint32_t frame) {
     uint32_t first[2], place[2];
     bd_torus_offset(0, 0, 0, 0, mask.size_log2, first);
     bd_torus_offset(0, channel % 4, 0, frame, mask.size_log2, place);
-    return bd_mask_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
+    return bd_scalar_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
 }
 
 /* The level, 0..levels-1, of `value` of 0..max: the upper of its two neighbours where its way between them exceeds the
@@ -376,13 +376,13 @@ static inline uint16_t bd_dither_level(uint16_t value, uint16_t max, uint16_t le
 
 /* A row of grey to 1 bit: eight pixels a byte, the leftmost in the highest bit, 1 is white; unused bits are 0. `bits`
  * has room for (width + 7) / 8 bytes. */
-static inline void bd_dither_gray1_row(bd_mask_t mask, uint32_t y, uint32_t frame, const uint8_t *gray, uint32_t width,
+static inline void bd_dither_gray1_row(bd_scalar_mask_t mask, uint32_t y, uint32_t frame, const uint8_t *gray, uint32_t width,
                                        uint8_t *bits) {
     uint32_t first[2], place[2], x;
     bd_torus_offset(0, 0, 0, 0, mask.size_log2, first);
     bd_torus_offset(0, 0, 0, frame, mask.size_log2, place);
     for (x = 0; x < width; x++) {
-        const uint32_t threshold = bd_mask_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
+        const uint32_t threshold = bd_scalar_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
         const uint32_t bit = bd_dither_level(gray[x], 255, 2, threshold);
         bits[x / 8] = (uint8_t)((x % 8 == 0 ? 0 : bits[x / 8]) | bit << (7 - x % 8));
     }

@@ -33,8 +33,8 @@ fn table(table: &Table) -> String {
             + &format!("static const {kind} bd_{name} = {{bd_{name}_ranks, {size_log2}{rest}}};\n\n")
     };
     match table.kind {
-        Kind::Scalar => ranks("a mask of one channel", "bd_mask_t", ""),
-        Kind::Vector => ranks("a mask of two channels", "bd_mask_2_t", ""),
+        Kind::Scalar => ranks("a mask of one channel", "bd_scalar_mask_t", ""),
+        Kind::Vector => ranks("a mask of two channels", "bd_vector_mask_t", ""),
         Kind::Frames => {
             let frames = table.frames();
             let rest = format!(", {}", frames.trailing_zeros());

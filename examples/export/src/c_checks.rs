@@ -44,17 +44,17 @@ const FUNCTIONS: &[(&str, Twin)] = &[
     ("shift_global", |a| one(shift::global([a[0]], [a[1]])[0])),
     ("shift_stratified_1d", |a| one(shift::stratified_1d(a[0], a[1], a[2], a[3]))),
     ("shift_stratified_2d", |a| two(shift::stratified_2d(a[0], a[1], [a[2], a[3]], [a[4], a[5]]))),
-    ("mask_rank", |a| {
+    ("scalar_rank", |a| {
         let [x, y] = [a[0], a[1]];
         [library::THRESHOLD_64.rank(x, y), library::THRESHOLD_256.rank(x, y), library::THRESHOLD_16.rank(x, y), 0]
             .map(u32::from)
     }),
-    ("mask_value", |a| {
+    ("scalar_value", |a| {
         let [x, y] = [a[0], a[1]];
         let float = library::THRESHOLD_16.value(x, y).to_bits();
         [library::THRESHOLD_64.value_fx(x, y), library::THRESHOLD_256.value_fx(x, y), float, 0]
     }),
-    ("mask_2_value", |a| four(library::OFFSET_2D_64.value_fx(a[0], a[1]), library::LATTICE_64.value_fx(a[0], a[1]))),
+    ("vector_value", |a| four(library::OFFSET_2D_64.value_fx(a[0], a[1]), library::LATTICE_64.value_fx(a[0], a[1]))),
     ("time_mask_frame", |a| {
         let short = library::THRESHOLD_OVER_TIME_32.frame(a[2]).rank(a[0], a[1]);
         two([short.into(), library::THRESHOLD_OVER_TIME_64.frame(a[2]).rank(a[0], a[1]).into()])
