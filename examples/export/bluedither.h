@@ -376,8 +376,8 @@ static inline uint16_t bd_dither_level(uint16_t value, uint16_t max, uint16_t le
 
 /* A row of grey to 1 bit: eight pixels a byte, the leftmost in the highest bit, 1 is white; unused bits are 0. `bits`
  * has room for (width + 7) / 8 bytes. */
-static inline void bd_dither_gray1_row(bd_scalar_mask_t mask, uint32_t y, uint32_t frame, const uint8_t *gray, uint32_t width,
-                                       uint8_t *bits) {
+static inline void bd_dither_gray1_row(bd_scalar_mask_t mask, uint32_t y, uint32_t frame, const uint8_t *gray,
+                                       uint32_t width, uint8_t *bits) {
     uint32_t first[2], place[2], x;
     bd_torus_offset(0, 0, 0, 0, mask.size_log2, first);
     bd_torus_offset(0, 0, 0, frame, mask.size_log2, place);

@@ -35,10 +35,11 @@ CHECK(strata_place_2d, bd_strata_place_2d(a[0], a[1], a + 2, r))
 CHECK(shift_global, r[0] = bd_shift_global(a[0], a[1]))
 CHECK(shift_stratified_1d, r[0] = bd_shift_stratified_1d(a[0], a[1], a[2], a[3]))
 CHECK(shift_stratified_2d, bd_shift_stratified_2d(a[0], a[1], a + 2, a + 4, r))
-CHECK(scalar_rank, r[0] = bd_scalar_rank(bd_threshold_64, a[0], a[1]); r[1] = bd_scalar_rank(bd_threshold_256, a[0], a[1]);
-      r[2] = bd_scalar_rank(bd_threshold_16, a[0], a[1]))
+CHECK(scalar_rank, r[0] = bd_scalar_rank(bd_threshold_64, a[0], a[1]);
+      r[1] = bd_scalar_rank(bd_threshold_256, a[0], a[1]); r[2] = bd_scalar_rank(bd_threshold_16, a[0], a[1]))
 CHECK(scalar_value, r[0] = bd_scalar_value_fx(bd_threshold_64, a[0], a[1]);
-      r[1] = bd_scalar_value_fx(bd_threshold_256, a[0], a[1]); r[2] = bits(bd_scalar_value(bd_threshold_16, a[0], a[1])))
+      r[1] = bd_scalar_value_fx(bd_threshold_256, a[0], a[1]);
+      r[2] = bits(bd_scalar_value(bd_threshold_16, a[0], a[1])))
 CHECK(vector_value, bd_vector_value_fx(bd_offset_2d_64, a[0], a[1], r);
       bd_vector_value_fx(bd_lattice_64, a[0], a[1], r + 2))
 CHECK(time_mask_frame, r[0] = bd_scalar_rank(bd_time_mask_frame(bd_threshold_over_time_32, a[2]), a[0], a[1]);
@@ -71,7 +72,8 @@ const check_t checks_of_functions[] = {
     ENTRY(hash_mix_64), ENTRY(torus_wrap), ENTRY(torus_offset), ENTRY(sobol_point), ENTRY(sobol_dimension_1_rev),
     ENTRY(sobol_owen_point), ENTRY(directions_dimension), ENTRY(directions_owen), ENTRY(zorder_morton_16),
     ENTRY(zorder_first_index), ENTRY(strata_place_1d), ENTRY(strata_place_2d), ENTRY(shift_global),
-    ENTRY(shift_stratified_1d), ENTRY(shift_stratified_2d), ENTRY(scalar_rank), ENTRY(scalar_value), ENTRY(vector_value),
-    ENTRY(time_mask_frame), ENTRY(keys_key), ENTRY(dither_threshold_fx), ENTRY(dither_level), ENTRY(dither_gray1_row),
+    ENTRY(shift_stratified_1d), ENTRY(shift_stratified_2d), ENTRY(scalar_rank), ENTRY(scalar_value),
+    ENTRY(vector_value), ENTRY(time_mask_frame), ENTRY(keys_key), ENTRY(dither_threshold_fx), ENTRY(dither_level),
+    ENTRY(dither_gray1_row),
     {NULL, NULL},
 };

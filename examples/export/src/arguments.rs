@@ -26,6 +26,16 @@ const EXAMPLE: &str = "Example: a mask that is not built by default, and a C hea
 /// What functions can be written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Language {
+    /// Functions to paste above a shader of your own, and bindings
+    Wgsl,
+    /// For Direct3D, shader model 5.1
+    Hlsl,
+    /// For OpenGL, 4.5 and ES 3.1
+    Glsl,
+    /// For Metal 2.0
+    Msl,
+    /// For Vulkan, a compute shader
+    Spirv,
     /// A C99 header
     C,
 }

@@ -4,7 +4,8 @@
 //! cargo run -p export -- --out DIR
 //! ```
 //!
-//! Masks as raw bytes, PNG of 8 and 16 bits and DDS; a C99 header; a manifest with the digests. More tables by features:
+//! Masks as raw bytes, PNG of 8 and 16 bits and DDS; shaders in WGSL, HLSL, GLSL, MSL and SPIR-V; a C99 header; a
+//! manifest with the digests. More tables by features:
 //! `--features keys-64`, or `--all-features` for all there are.
 
 mod arguments;
@@ -15,11 +16,13 @@ mod c_checks;
 #[allow(dead_code, reason = "the bake uses the rest")]
 mod digest;
 mod folder;
+mod shaders;
 #[allow(dead_code, reason = "which kinds of tables there are depends on features")]
 mod tables;
 #[cfg(all(test, feature = "all"))]
 mod texture_checks;
 mod textures;
+mod translate;
 
 use arguments::{Arguments, Language};
 use clap::Parser;
@@ -45,10 +48,15 @@ fn run(arguments: &Arguments) -> Result<(), String> {
             textures::write(table, &mut folder)?;
         }
     }
-    for language in arguments.languages() {
+    let languages = arguments.languages();
+    for &language in &languages {
         match language {
             Language::C => folder.write("bluedither.h", "C99 header", c::header(&tables).as_bytes())?,
+            _ => shaders::write(language, &mut folder)?,
         }
+    }
+    if languages.iter().any(|&language| language != Language::C) {
+        shaders::write_constants(&mut folder)?;
     }
     if tables.iter().any(|table| table.kind == tables::Kind::Directions) {
         let text = include_bytes!("../../../tables/joe_kuo.LICENSE.txt");
