@@ -8,7 +8,6 @@ use crate::arguments::Language;
 use crate::folder::Folder;
 use crate::translate::Shader;
 use bluedither::shader::{self, Parts, Table};
-use naga::ShaderStage;
 use naga::back::glsl::Version;
 
 /// What a shader is exported for.
@@ -41,8 +40,8 @@ pub fn write(language: Language, folder: &mut Folder) -> Result<(), String> {
             Language::Wgsl => save("wgsl", "WGSL, functions and bindings", text.as_bytes())?,
             Language::Hlsl => save("hlsl", "HLSL, shader model 5.1", shader.hlsl()?.as_bytes())?,
             Language::Glsl => {
-                let desktop = shader.glsl(Version::Desktop(450), ShaderStage::Compute, "fill")?;
-                let embedded = shader.glsl(Version::new_gles(310), ShaderStage::Compute, "fill")?;
+                let desktop = shader.glsl(Version::Desktop(450), "fill")?;
+                let embedded = shader.glsl(Version::new_gles(310), "fill")?;
                 save("glsl", "GLSL 450", desktop.as_bytes())?;
                 save("es.glsl", "GLSL ES 310", embedded.as_bytes())?;
             }

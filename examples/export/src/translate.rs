@@ -1,9 +1,9 @@
 //! WGSL in other languages, by naga. Functions keep their names.
 
+use naga::Module;
 use naga::back::{glsl, hlsl, msl, spv};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga::{Module, ShaderStage};
 
 /// A shader that naga has read and found valid.
 #[derive(Debug)]
@@ -21,13 +21,25 @@ impl Shader {
         Ok(Self { module, info })
     }
 
-    /// GLSL of a version: `Desktop(450)`, or for ES `new_gles(310)`. Bindings keep their numbers.
-    pub fn glsl(&self, version: glsl::Version, stage: ShaderStage, entry: &str) -> Result<String, String> {
-        let groups = self.module.global_variables.iter().filter_map(|(_, variable)| variable.binding);
+    /// GLSL of a version: `Desktop(450)`, or for ES `new_gles(310)`. Buffers of each kind are numbered from 0 on, since
+    /// some drivers have four.
+    pub fn glsl(&self, version: glsl::Version, entry: &str) -> Result<String, String> {
+        let stage = self.module.entry_points.iter().find(|found| found.name == entry).map(|found| found.stage);
+        let stage = stage.ok_or_else(|| format!("there is no entry point {entry}"))?;
+        let mut next = [0u8; 3];
+        let mut number = |space: naga::AddressSpace| {
+            let kind = match space {
+                naga::AddressSpace::Uniform => 0,
+                naga::AddressSpace::Storage { .. } => 1,
+                _ => 2,
+            };
+            next[kind] += 1;
+            next[kind] - 1
+        };
         let options = glsl::Options {
             version,
             writer_flags: glsl::WriterFlags::empty(),
-            binding_map: groups.map(|place| (place, place.binding as u8)).collect(),
+            binding_map: self.bound().map(|(_, place, space)| (place, number(space))).collect(),
             zero_initialize_workgroup_memory: false,
         };
         let pipeline = glsl::PipelineOptions { shader_stage: stage, entry_point: entry.into(), multiview: None };
@@ -35,6 +47,10 @@ impl Shader {
         glsl::Writer::new(&mut text, &self.module, &self.info, &options, &pipeline, policies)
             .and_then(|mut writer| writer.write())
             .map_err(|error| format!("no GLSL: {error}"))?;
+        for (name, place, _) in self.bound() {
+            let stage = if stage == naga::ShaderStage::Compute { "cs" } else { "fs" };
+            text = text.replace(&format!("_group_{}_binding_{}_{stage}", place.group, place.binding), name);
+        }
         Ok(self.named(text))
     }
 
@@ -48,21 +64,20 @@ impl Shader {
         Ok(self.named(text))
     }
 
-    /// Metal 2.0: bindings are arguments of the entry points, of the same numbers.
+    /// Metal 2.0: bindings are arguments of the entry points, of the same numbers; buffer 30 holds the sizes of the others
+    /// that have none of their own, in bytes, 32 bits each, in their order.
     pub fn msl(&self) -> Result<String, String> {
         let slots = |entry: &naga::EntryPoint| {
-            let variables = self.module.global_variables.iter();
-            let places = variables.filter_map(|(_, variable)| variable.binding.map(|place| (place, variable.space)));
-            let resources = places.map(|(place, space)| {
+            let resources = self.bound().map(|(_, place, space)| {
                 let slot = u8::try_from(place.binding).unwrap_or(u8::MAX);
-                let mutable = matches!(space, naga::AddressSpace::Storage { access } if access.contains(naga::StorageAccess::STORE));
-                let texture = matches!(space, naga::AddressSpace::Handle).then_some(slot);
+                let texture = (space == naga::AddressSpace::Handle).then_some(slot);
                 let buffer = texture.is_none().then_some(slot);
+                let store = naga::StorageAccess::STORE;
+                let mutable = matches!(space, naga::AddressSpace::Storage { access } if access.contains(store));
                 (place, msl::BindTarget { buffer, texture, mutable, ..Default::default() })
             });
-            let sizes_buffer = Some(30);
-            let slots = msl::EntryPointResources { resources: resources.collect(), sizes_buffer, ..Default::default() };
-            (entry.name.clone(), slots)
+            let resources = resources.collect();
+            (entry.name.clone(), msl::EntryPointResources { resources, sizes_buffer: Some(30), ..Default::default() })
         };
         let options = msl::Options {
             lang_version: (2, 0),
@@ -82,6 +97,12 @@ impl Shader {
         let words = spv::write_vec(&self.module, &self.info, &options, None);
         let words = words.map_err(|error| format!("no SPIR-V: {error}"))?;
         Ok(words.into_iter().flat_map(u32::to_le_bytes).collect())
+    }
+
+    /// What is bound: its name, place and kind.
+    fn bound(&self) -> impl Iterator<Item = (&str, naga::ResourceBinding, naga::AddressSpace)> {
+        let variables = self.module.global_variables.iter();
+        variables.filter_map(|(_, each)| Some((each.name.as_deref()?, each.binding?, each.space)))
     }
 
     /// naga appends an underscore to names that end in a digit, and then they are not those of the documentation.
