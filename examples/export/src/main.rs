@@ -22,6 +22,8 @@ mod tables;
 #[cfg(all(test, feature = "all"))]
 mod texture_checks;
 mod textures;
+#[path = "../translate.rs"]
+#[allow(dead_code, reason = "the checks of shaders use the rest")]
 mod translate;
 
 use arguments::{Arguments, Language};
@@ -52,7 +54,14 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     for &language in &languages {
         match language {
             Language::C => folder.write("bluedither.h", "C99 header", c::header(&tables).as_bytes())?,
-            _ => shaders::write(language, &mut folder)?,
+            Language::Wgsl => shaders::write_wgsl(&mut folder)?,
+            Language::Hlsl => shaders::write(translate::Language::Hlsl, "HLSL, shader model 5.1", &mut folder)?,
+            Language::Glsl => {
+                shaders::write(translate::Language::Glsl, "GLSL 450", &mut folder)?;
+                shaders::write(translate::Language::GlslEs, "GLSL ES 310", &mut folder)?;
+            }
+            Language::Msl => shaders::write(translate::Language::Msl, "Metal 2.0", &mut folder)?,
+            Language::Spirv => shaders::write(translate::Language::Spirv, "SPIR-V 1.3, entry point fill", &mut folder)?,
         }
     }
     if languages.iter().any(|&language| language != Language::C) {

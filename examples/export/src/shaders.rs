@@ -1,14 +1,11 @@
-//! Shaders: a file for each use, with all that it needs.
+//! Shaders: for each use a file with the functions and the tables that they read.
 //!
-//! In WGSL the functions of the library and the bindings of their tables, to paste above a shader of one's own. In other
-//! languages the same as a whole compute shader, which fills a buffer with a sample of every pixel: to run as it is, or
-//! to take the functions from. Tables lie beside them as bytes for the bindings.
+//! To paste or to include, without an entry point; but SPIR-V, which has no such thing, is a whole compute shader
+//! that fills a buffer with a sample of every pixel. What its bindings hold lies beside it.
 
-use crate::arguments::Language;
-use crate::folder::Folder;
-use crate::translate::Shader;
+use crate::folder::{Folder, version};
+use crate::translate::{Language, translate};
 use bluedither::shader::{self, Parts, Table};
-use naga::back::glsl::Version;
 
 /// What a shader is exported for.
 struct Use {
@@ -28,27 +25,23 @@ const USES: &[Use] = &[Use {
     let drawn = bd_sampler_draw4(pixel, bd_fill.domain, bd_fill.index);",
 }];
 
-/// Writes every use in a language.
-pub fn write(language: Language, folder: &mut Folder) -> Result<(), String> {
+/// Writes every use in WGSL.
+pub fn write_wgsl(folder: &mut Folder) -> Result<(), String> {
     for each in USES {
-        let text = each.text();
-        let shader = Shader::read(&(text.clone() + &each.pass()))?;
-        let mut save = |extension: &str, format: &str, bytes: &[u8]| {
-            folder.write(&format!("shaders/{}.{extension}", each.name), format, bytes)
-        };
-        match language {
-            Language::Wgsl => save("wgsl", "WGSL, functions and bindings", text.as_bytes())?,
-            Language::Hlsl => save("hlsl", "HLSL, shader model 5.1", shader.hlsl()?.as_bytes())?,
-            Language::Glsl => {
-                let desktop = shader.glsl(Version::Desktop(450), "fill")?;
-                let embedded = shader.glsl(Version::new_gles(310), "fill")?;
-                save("glsl", "GLSL 450", desktop.as_bytes())?;
-                save("es.glsl", "GLSL ES 310", embedded.as_bytes())?;
-            }
-            Language::Msl => save("metal", "Metal 2.0", shader.msl()?.as_bytes())?,
-            Language::Spirv => save("spv", "SPIR-V 1.1", &shader.spirv()?)?,
-            Language::C => {}
-        }
+        folder.write(&format!("shaders/{}.wgsl", each.name), "WGSL", (each.head() + &each.text()).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Writes every use in another language.
+pub fn write(language: Language, format: &str, folder: &mut Folder) -> Result<(), String> {
+    for each in USES {
+        let spirv = language == Language::Spirv;
+        let text = each.text() + &if spirv { each.pass() } else { String::new() };
+        let translated = translate(&text, language).map_err(|error| format!("{}: {error}", each.name))?;
+        let file = if spirv { translated } else { [each.head().as_bytes(), &translated].concat() };
+        let fill = if spirv { "-fill" } else { "" };
+        folder.write(&format!("shaders/{}{fill}.{}", each.name, language.extension()), format, &file)?;
     }
     Ok(())
 }
@@ -60,6 +53,15 @@ pub fn write_constants(folder: &mut Folder) -> Result<(), String> {
 }
 
 impl Use {
+    fn head(&self) -> String {
+        format!(
+            "// bluedither {}, `{}`: functions as in the Rust crate, the same bits, and the bindings of their tables.\n\
+             // SPDX-License-Identifier: MIT OR Apache-2.0\n\n",
+            version(),
+            self.name
+        )
+    }
+
     fn text(&self) -> String {
         let bindings = self.tables.iter().map(|table| table.storage);
         self.parts.texts().chain(bindings).collect()
