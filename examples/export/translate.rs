@@ -37,7 +37,9 @@ impl Language {
 /// The text, or SPIR-V's bytes, of a shader, or of functions without an entry point, which is to be included in another.
 /// Functions keep their names. A binding of group 0 keeps its number: in HLSL as register, in GLSL as binding. The error
 /// is naga's, on the text.
-pub fn translate(wgsl: &str, language: Language) -> Result<Vec<u8>, String> {
+///
+/// GLSL has one entry point, `entry`; the other languages have them all.
+pub fn translate(wgsl: &str, language: Language, entry: &str) -> Result<Vec<u8>, String> {
     let (module, info) = parse(wgsl)?;
     let library = module.entry_points.is_empty();
     let written = match language {
@@ -47,9 +49,9 @@ pub fn translate(wgsl: &str, language: Language) -> Result<Vec<u8>, String> {
         // It has no text without an entry point.
         Language::Glsl | Language::GlslEs if library => {
             let (module, info) = parse(&format!("{wgsl}{ENTRY}"))?;
-            to_glsl(&module, &info, language == Language::GlslEs).map(|text| without_entry(&text))
+            to_glsl(&module, &info, language, "main").map(|text| without_entry(&text))
         }
-        Language::Glsl | Language::GlslEs => to_glsl(&module, &info, language == Language::GlslEs),
+        Language::Glsl | Language::GlslEs => to_glsl(&module, &info, language, entry),
     }?;
     Ok(own_names(&written).into_bytes())
 }
@@ -65,7 +67,9 @@ pub fn parse(wgsl: &str) -> Result<(naga::Module, ModuleInfo), String> {
 }
 
 fn to_hlsl(module: &naga::Module, info: &ModuleInfo) -> Result<String, String> {
-    let (options, pipeline) = (hlsl::Options::default(), hlsl::PipelineOptions::default());
+    // Nothing here reads workgroup memory before it writes it.
+    let options = hlsl::Options { zero_initialize_workgroup_memory: false, ..Default::default() };
+    let pipeline = hlsl::PipelineOptions::default();
     let mut text = String::new();
     let mut writer = hlsl::Writer::new(&mut text, &options, &pipeline);
     writer.write(module, info, None).map_err(|error| error.to_string())?;
@@ -84,8 +88,8 @@ fn to_spirv(module: &naga::Module, info: &ModuleInfo) -> Result<Vec<u8>, String>
     Ok(words.into_iter().flat_map(u32::to_le_bytes).collect())
 }
 
-fn to_glsl(module: &naga::Module, info: &ModuleInfo, es: bool) -> Result<String, String> {
-    let version = if es { glsl::Version::new_gles(310) } else { glsl::Version::Desktop(450) };
+fn to_glsl(module: &naga::Module, info: &ModuleInfo, language: Language, entry: &str) -> Result<String, String> {
+    let version = if language == Language::GlslEs { glsl::Version::new_gles(310) } else { glsl::Version::Desktop(450) };
     let bound = module.global_variables.iter().filter_map(|(_, variable)| variable.binding);
     let number = |binding: naga::ResourceBinding| (binding.group * 16 + binding.binding) as u8;
     let options = glsl::Options {
@@ -94,7 +98,7 @@ fn to_glsl(module: &naga::Module, info: &ModuleInfo, es: bool) -> Result<String,
         binding_map: bound.map(|binding| (binding, number(binding))).collect(),
         zero_initialize_workgroup_memory: true,
     };
-    let entry = &module.entry_points[0];
+    let entry = module.entry_points.iter().find(|point| point.name == entry).ok_or(format!("no entry point {entry}"))?;
     let pipeline =
         glsl::PipelineOptions { shader_stage: entry.stage, entry_point: entry.name.clone(), multiview: None };
     let mut text = String::new();

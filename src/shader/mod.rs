@@ -37,8 +37,17 @@
 mod table;
 mod words;
 
-pub use table::{LINEAR_ORDER, SCALAR_MASK, Table, VECTOR_MASK};
-pub use words::{linear_order_words, scalar_words, vector_words};
+pub use table::{
+    DIRECTION_NUMBERS, KEYS_TILE, LATTICE_MASK, LINEAR_LIGHT, LINEAR_ORDER, RANKING_2019, SCALAR_MASK, SCRAMBLING_2019,
+    SEED_SWAPS, SOBOL_2019, TIME_MASK, Table, VECTOR_MASK,
+};
+#[cfg(feature = "gamma")]
+pub use words::linear_light_words;
+#[cfg(feature = "seed-permutation")]
+pub use words::seed_swap_words;
+#[cfg(any(feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
+pub use words::time_words;
+pub use words::{byte_words, direction_words, keys_words, linear_order_words, scalar_words, vector_words};
 
 /// Texts that go together: a set of modules that holds all that each of them needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,22 +92,67 @@ macro_rules! modules {
 modules! {
     /// [`unit`](mod@crate::unit): `bd_unit_…`.
     UNIT "unit" []
-    /// 64-bit words, which WGSL lacks: `bd_wide_…`.
+    /// Words of 64 bits, which WGSL lacks: `bd_wide_…`.
     WIDE "wide" []
     /// [`hash`](crate::hash): `bd_hash_…`.
     HASH "hash" [WIDE]
     /// [`torus`](crate::torus): `bd_torus_…`.
     TORUS "torus" [HASH]
+    /// [`sobol`](crate::sobol): `bd_sobol_…`.
+    SOBOL "sobol" [HASH]
+    /// [`sobol::Directions`](crate::sobol::Directions): `bd_directions_…`; reads [`DIRECTION_NUMBERS`].
+    DIRECTIONS "directions" [HASH]
+    /// [`lattice`](crate::lattice): `bd_lattice_…`.
+    LATTICE "lattice" [WIDE]
     /// [`linear`](crate::linear): `bd_linear_…`; reads [`LINEAR_ORDER`].
     LINEAR "linear" []
+    /// [`zorder`](crate::zorder), the curve: `bd_zorder_…`.
+    ZORDER "zorder" []
+    /// [`strata`](crate::strata): `bd_strata_…`.
+    STRATA "strata" [HASH]
+    /// [`shift`](crate::shift): `bd_shift_…`.
+    SHIFT "shift" [STRATA]
     /// What masks share: `bd_mask_…`.
     MASK "mask/mod" []
     /// [`ScalarMask`](crate::ScalarMask): `bd_scalar_…`; reads [`SCALAR_MASK`].
     SCALAR "mask/scalar" [MASK UNIT]
     /// [`VectorMask`](crate::VectorMask) of two channels: `bd_vector_…`; reads [`VECTOR_MASK`].
     VECTOR "mask/vector" [MASK UNIT]
+    /// [`Keys`](crate::Keys): `bd_keys_…`; reads [`KEYS_TILE`].
+    KEYS "keys" []
+    /// [`keys_2019`](crate::keys_2019): `bd_keys_2019_…`; reads [`SOBOL_2019`], [`SCRAMBLING_2019`] and [`RANKING_2019`].
+    KEYS_2019 "keys_2019" [UNIT]
     /// What samplers share: `bd_domain_…`.
-    DOMAIN "sampler/mod" [HASH WIDE]
+    DOMAIN "sampler/mod" [HASH]
     /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`LINEAR_ORDER`].
     SAMPLER "sampler/linear" [DOMAIN LINEAR UNIT]
+    /// [`ZOrder`](crate::ZOrder): `bd_z_order_…`.
+    Z_ORDER "sampler/zorder" [DOMAIN ZORDER SOBOL UNIT]
+    /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
+    KEYED "sampler/keyed" [DOMAIN KEYS LINEAR TORUS UNIT]
+    /// [`Rank1`](crate::Rank1): `bd_rank1_…`; reads [`LATTICE_MASK`].
+    RANK1 "sampler/rank1" [DOMAIN MASK TORUS UNIT]
+    /// [`Dithered`](crate::Dithered): `bd_dithered_…`; reads [`SCALAR_MASK`] and [`VECTOR_MASK`].
+    DITHERED "sampler/dithered" [DOMAIN SCALAR VECTOR SHIFT SOBOL TORUS]
+    /// [`White`](crate::White): `bd_white_…`.
+    WHITE "sampler/white" [DOMAIN SOBOL UNIT]
+    /// [`Constant`](crate::Constant): `bd_constant_…`.
+    CONSTANT "sampler/constant" [WHITE]
+    /// [`dither::quantise`](crate::dither::quantise): `bd_quantise_…`.
+    QUANTISE "dither/quantise" [WIDE]
+    /// [`dither::ordered`](crate::dither::ordered): `bd_ordered_…`.
+    ORDERED "dither/ordered" [ZORDER]
+    /// `dither::gamma`: `bd_gamma_…`; reads [`LINEAR_LIGHT`].
+    GAMMA "dither/gamma" [QUANTISE]
+    /// [`dither::alpha`](crate::dither::alpha): `bd_alpha_…`.
+    ALPHA "dither/alpha" []
+    /// [`Dither`](crate::Dither): `bd_dither_…`; reads [`SCALAR_MASK`].
+    DITHER "dither/mod" [QUANTISE ORDERED SCALAR TORUS]
+    /// `frames::masks`: `bd_over_time_…`; reads [`TIME_MASK`].
+    OVER_TIME "frames/masks" [MASK UNIT]
+    /// `frames::seeds`: `bd_seeds_…`; reads [`SEED_SWAPS`].
+    SEEDS "frames/seeds" []
+    /// `frames::seeds::permute` as a compute pass, with bindings and entry points of its own; reads [`SEED_SWAPS`] and
+    /// [`SCALAR_MASK`].
+    SEEDS_PASS "frames/seeds_pass" [SEEDS SCALAR]
 }

@@ -1,13 +1,20 @@
 //! Arguments for a million calls: random, extreme, and small numbers.
 
+use std::sync::LazyLock;
+
 use bluedither::hash;
 
 /// How many calls of a function are compared.
 pub const CALLS: usize = 1 << 20;
 
+/// The most arguments that a function has.
+const MOST: usize = 8;
+
+static WORDS: LazyLock<Vec<u32>> = LazyLock::new(|| (0..(CALLS * MOST) as u64).map(word).collect());
+
 /// The words of all calls, `count` each.
-pub fn arguments(count: usize) -> Vec<u32> {
-    (0..(CALLS * count) as u64).map(word).collect()
+pub fn arguments(count: usize) -> &'static [u32] {
+    &WORDS[..CALLS * count]
 }
 
 /// One half anything, a quarter the ends of ranges, a quarter of any number of bits.

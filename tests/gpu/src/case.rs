@@ -3,12 +3,12 @@
 use bluedither::shader::Parts;
 
 use crate::arguments::{CALLS, arguments};
-use crate::device::{Bound, Device, FOUND, GIVEN, Way};
+use crate::device::{Bound, Device, Way};
 
-/// Where a shader finds its arguments and leaves its results: [`GIVEN`] and [`FOUND`].
+/// The bindings `GIVEN` and `FOUND` of a [`Device`].
 const BUFFERS: &str = "
-@group(0) @binding(14) var<storage, read> given: array<u32>;
-@group(0) @binding(15) var<storage, read_write> found: array<u32>;
+@group(0) @binding(20) var<storage, read> given: array<u32>;
+@group(0) @binding(21) var<storage, read_write> found: array<u32>;
 ";
 const ENTRY: &str = "
 @compute @workgroup_size(64)
@@ -18,12 +18,13 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
 /// A function of words, by name `a`, `b`, `c`, … in the WGSL.
 pub struct Case {
     pub parts: Parts,
-    tables: Vec<Bound>,
+    pub tables: Vec<Bound>,
     arguments: usize,
     results: usize,
     /// One expression, after statements that it needs. A vector for more than one result.
     pub expression: &'static str,
     rust: Box<dyn Fn(&[u32], &mut [u32])>,
+    ways: &'static [Way],
 }
 
 /// `expression`, made of `parts`, against `rust`; floats by their bits.
@@ -36,12 +37,27 @@ pub fn case<const N: usize, const M: usize>(
         let given = given.try_into().expect("as many as asked for");
         found.copy_from_slice(&rust(given));
     };
-    Case { parts, tables: Vec::new(), arguments: N, results: M, expression, rust: Box::new(rust) }
+    Case {
+        parts,
+        tables: Vec::new(),
+        arguments: N,
+        results: M,
+        expression,
+        rust: Box::new(rust),
+        ways: &[Way::Storage],
+    }
 }
 
 impl Case {
-    /// With a table bound.
+    /// With a table bound, by each way.
     pub fn with(mut self, table: Bound) -> Self {
+        self.tables.push(table);
+        self.ways = &[Way::Storage, Way::Texture];
+        self
+    }
+
+    /// With a table bound that only other functions read, which are called by each way: this one by storage buffers.
+    pub fn with_read(mut self, table: Bound) -> Self {
         self.tables.push(table);
         self
     }
@@ -73,17 +89,16 @@ impl Case {
         format!("{names}    {statements}{end}    let result = bitcast<{kind}>({value});\n{results}")
     }
 
-    /// Calls it a million times by each way to bind tables. The error tells the first difference.
+    /// Calls it a million times. The error tells the first difference.
     pub fn check(&self, device: &Device) -> Result<(), String> {
         let given = arguments(self.arguments);
         let mut rust = vec![0; CALLS * self.results];
         for (given, rust) in given.chunks(self.arguments).zip(rust.chunks_mut(self.results)) {
             (self.rust)(given, rust);
         }
-        let ways: &[Way] = if self.tables.is_empty() { &[Way::Storage] } else { &[Way::Storage, Way::Texture] };
-        for &way in ways {
+        for &way in self.ways {
             let groups = [CALLS as u32 / 64, 1];
-            let found = device.run(&self.text(way), &self.tables, way, &given, rust.len(), groups);
+            let found = device.run(&self.text(way), &self.tables, way, given, rust.len(), groups);
             let calls = given.chunks(self.arguments).zip(rust.chunks(self.results).zip(found.chunks(self.results)));
             let mut apart = calls.filter(|(_, (rust, found))| rust != found);
             if let Some((given, (rust, found))) = apart.next() {

@@ -5,14 +5,19 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BindGroupLayoutEntry, BindingType, BufferBindingType, BufferUsages, ShaderStages};
 
 /// Where a shader finds its arguments and leaves its results, beside the tables in group 0.
-pub const GIVEN: u32 = 14;
-pub const FOUND: u32 = 15;
+pub const GIVEN: u32 = 20;
+pub const FOUND: u32 = 21;
+
+/// How a buffer is bound.
+pub const READ: BufferBindingType = BufferBindingType::Storage { read_only: true };
+pub const WRITE: BufferBindingType = BufferBindingType::Storage { read_only: false };
+pub const UNIFORM: BufferBindingType = BufferBindingType::Uniform;
 
 /// A table as it is bound: its words, and how large a texture of it is.
 #[derive(Clone)]
 pub struct Bound {
     pub table: Table,
-    pub size: &'static str,
+    pub size: String,
     pub words: Vec<u32>,
     pub extent: [usize; 2],
 }
@@ -33,7 +38,7 @@ impl Bound {
 
     fn layout(&self, way: Way) -> BindGroupLayoutEntry {
         let ty = match way {
-            Way::Storage => buffer(true),
+            Way::Storage => buffer(READ),
             Way::Texture => BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Uint,
                 view_dimension: wgpu::TextureViewDimension::D2,
@@ -81,8 +86,8 @@ impl Device {
             usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC,
             mapped_at_creation: false,
         });
-        let given = self.storage(given);
-        self.dispatch(text, tables, way, [(GIVEN, &given, true), (FOUND, &found, false)].as_slice(), &["main"], groups);
+        let given = self.buffer(given);
+        self.dispatch(text, tables, way, &[(GIVEN, &given, READ), (FOUND, &found, WRITE)], &["main"], groups);
         self.read(&found)
     }
 
@@ -92,7 +97,7 @@ impl Device {
         text: &str,
         tables: &[Bound],
         way: Way,
-        buffers: &[(u32, &wgpu::Buffer, bool)],
+        buffers: &[(u32, &wgpu::Buffer, BufferBindingType)],
         entries: &[&str],
         groups: [u32; 2],
     ) {
@@ -100,7 +105,7 @@ impl Device {
             label: None,
             source: wgpu::ShaderSource::Wgsl(text.into()),
         });
-        let own = buffers.iter().map(|&(binding, _, read_only)| entry(binding, buffer(read_only)));
+        let own = buffers.iter().map(|&(binding, _, ty)| entry(binding, buffer(ty)));
         let entries_of_layout: Vec<_> = tables.iter().map(|table| table.layout(way)).chain(own).collect();
         let layout = self
             .device
@@ -139,12 +144,12 @@ impl Device {
         self.queue.submit([encoder.finish()]);
     }
 
-    /// A storage buffer of words.
-    pub fn storage(&self, words: &[u32]) -> wgpu::Buffer {
+    /// A buffer of words.
+    pub fn buffer(&self, words: &[u32]) -> wgpu::Buffer {
         self.device.create_buffer_init(&BufferInitDescriptor {
             label: None,
             contents: bytemuck::cast_slice(words),
-            usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC,
+            usage: BufferUsages::STORAGE | BufferUsages::UNIFORM | BufferUsages::COPY_SRC,
         })
     }
 
@@ -167,12 +172,13 @@ impl Device {
 
     fn hold(&self, bound: &Bound, way: Way) -> Held {
         if way == Way::Storage {
-            return Held::Buffer(self.storage(&bound.words));
+            return Held::Buffer(self.buffer(&bound.words));
         }
         let [width, height] = bound.extent.map(|side| side as u32);
         let format = match bound.table.format {
             "r16uint" => wgpu::TextureFormat::R16Uint,
             "rg16uint" => wgpu::TextureFormat::Rg16Uint,
+            "r8uint" => wgpu::TextureFormat::R8Uint,
             _ => wgpu::TextureFormat::R32Uint,
         };
         let descriptor = wgpu::TextureDescriptor {
@@ -211,10 +217,6 @@ const fn entry(binding: u32, ty: BindingType) -> BindGroupLayoutEntry {
     BindGroupLayoutEntry { binding, visibility: ShaderStages::COMPUTE, ty, count: None }
 }
 
-const fn buffer(read_only: bool) -> BindingType {
-    BindingType::Buffer {
-        ty: BufferBindingType::Storage { read_only },
-        has_dynamic_offset: false,
-        min_binding_size: None,
-    }
+const fn buffer(ty: BufferBindingType) -> BindingType {
+    BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None }
 }

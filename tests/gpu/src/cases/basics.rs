@@ -1,4 +1,4 @@
-//! Functions without tables.
+//! Numbers, words, hashes.
 
 use bluedither::shader::*;
 use bluedither::{hash, torus, unit};

@@ -1,14 +1,19 @@
 //! Every function, a line each.
 
 mod basics;
+mod halftone;
 mod masks;
 mod samplers;
+mod sequences;
 
 use crate::case::Case;
 
 /// All of them.
 pub fn all() -> Vec<Case> {
-    [basics::cases(), masks::cases(), samplers::cases()].into_iter().flatten().collect()
+    [basics::cases(), sequences::cases(), masks::cases(), samplers::cases(), halftone::cases()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// A word of two halves.
