@@ -98,7 +98,8 @@ fn to_glsl(module: &naga::Module, info: &ModuleInfo, language: Language, entry: 
         binding_map: bound.map(|binding| (binding, number(binding))).collect(),
         zero_initialize_workgroup_memory: true,
     };
-    let entry = module.entry_points.iter().find(|point| point.name == entry).ok_or(format!("no entry point {entry}"))?;
+    let entry =
+        module.entry_points.iter().find(|point| point.name == entry).ok_or(format!("no entry point {entry}"))?;
     let pipeline =
         glsl::PipelineOptions { shader_stage: entry.stage, entry_point: entry.name.clone(), multiview: None };
     let mut text = String::new();
@@ -106,6 +107,12 @@ fn to_glsl(module: &naga::Module, info: &ModuleInfo, language: Language, entry: 
     glsl::Writer::new(&mut text, module, info, &options, &pipeline, policies)
         .and_then(|mut writer| writer.write())
         .map_err(|error| error.to_string())?;
+    // Bindings have names of numbers; their own are those of the documentation.
+    for (_, variable) in module.global_variables.iter() {
+        if let (Some(name), Some(binding)) = (&variable.name, variable.binding) {
+            text = text.replace(&format!("_group_{}_binding_{}_cs", binding.group, binding.binding), name);
+        }
+    }
     Ok(text)
 }
 

@@ -38,6 +38,8 @@ pub enum Language {
     Spirv,
     /// A C99 header
     C,
+    /// A page that runs the WGSL in a browser
+    Web,
 }
 
 impl Arguments {

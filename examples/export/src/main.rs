@@ -16,6 +16,9 @@ mod c_checks;
 #[allow(dead_code, reason = "the bake uses the rest")]
 mod digest;
 mod folder;
+mod page;
+#[cfg(all(test, feature = "all"))]
+mod page_checks;
 mod shaders;
 #[allow(dead_code, reason = "which kinds of tables there are depends on features")]
 mod tables;
@@ -54,6 +57,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     for &language in &languages {
         match language {
             Language::C => folder.write("bluedither.h", "C99 header", c::header(&tables).as_bytes())?,
+            Language::Web => page::write(&mut folder)?,
             Language::Wgsl => shaders::write_wgsl(&mut folder)?,
             Language::Hlsl => shaders::write(translate::Language::Hlsl, "HLSL, shader model 5.1", &mut folder)?,
             Language::Glsl => {
@@ -64,8 +68,8 @@ fn run(arguments: &Arguments) -> Result<(), String> {
             Language::Spirv => shaders::write(translate::Language::Spirv, "SPIR-V 1.3, entry point fill", &mut folder)?,
         }
     }
-    if languages.iter().any(|&language| language != Language::C) {
-        shaders::write_constants(&mut folder)?;
+    if languages.iter().any(|language| !matches!(language, Language::C | Language::Web)) {
+        shaders::write_tables(&mut folder)?;
     }
     if tables.iter().any(|table| table.kind == tables::Kind::Directions) {
         let text = include_bytes!("../../../tables/joe_kuo.LICENSE.txt");
