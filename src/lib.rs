@@ -86,6 +86,7 @@
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //! | `float` | rows of `f32` in [`dither`] | |
 //! | `gamma` | [`dither`] in linear light | 512 |
+//! | `wgsl` | [`shader`]: the same functions as WGSL text | |
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
@@ -118,6 +119,8 @@ pub mod mask;
 #[cfg(feature = "pattern")]
 pub mod pattern;
 pub mod sampler;
+#[cfg(feature = "wgsl")]
+pub mod shader;
 pub mod shift;
 pub mod sobol;
 pub mod strata;

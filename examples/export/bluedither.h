@@ -1,0 +1,701 @@
+/* bluedither.h: numbers per pixel whose error in the picture is blue noise, for C99 and C++11.
+ *
+ * SPDX-License-Identifier: @licence@
+ * bluedither @version@, tables baked at @effort@ effort. Written by `cargo run -p export -- --lang c`: do not edit.
+ *
+ * The functions of the Rust crate bluedither, bit by bit the same, under the same names: `bd_`, the module, the name.
+ * Nothing but <stdint.h>: no memory, no state, no floats but in functions named so. Every argument is defined; signed
+ * coordinates are cast to uint32_t, and tiles repeat. All is `static`: a table is linked where it is used, so use it in
+ * one source file.
+ *
+ *     bd_sampler_t sampler = bd_sampler_with_spp(seed, spp);    or bd_sampler_new(seed), if the number is not known
+ *     bd_sampler_pixel_t pixel = bd_sampler_pixel(sampler, x, y, frame);
+ *     for (index = 0; index < spp; index++) {
+ *         float lens[2], time;
+ *         bd_sampler_draw2(&pixel, LENS, index, lens);          in [0, 1); LENS, TIME: numbers that name a purpose
+ *         time = bd_sampler_draw1(&pixel, TIME, index);
+ *     }
+ *
+ * `_fx`: 0.32 fixed point in a uint32_t, the value times 2^32. `_rev`: bit-reversed. `_log2`: of a power of two.
+ * Numbers in more than one dimension come back in `out`.
+ */
+#ifndef BLUEDITHER_H
+#define BLUEDITHER_H
+
+#include <stdint.h>
+
+/* ---- unit: the only place where fixed point becomes a float ---- */
+
+/* The float in [0, 1) at or just below a 0.32 number: its upper 24 bits, exactly. */
+static inline float bd_unit_to_f32(uint32_t value_fx) {
+    return (float)(value_fx >> 8) * (1.0f / 16777216.0f);
+}
+
+/* ---- hash: seeds and scrambles ---- */
+
+static inline uint32_t bd_hash_reverse_bits(uint32_t n) {
+    n = (n >> 1 & UINT32_C(0x55555555)) | (n & UINT32_C(0x55555555)) << 1;
+    n = (n >> 2 & UINT32_C(0x33333333)) | (n & UINT32_C(0x33333333)) << 2;
+    n = (n >> 4 & UINT32_C(0x0f0f0f0f)) | (n & UINT32_C(0x0f0f0f0f)) << 4;
+    n = (n >> 8 & UINT32_C(0x00ff00ff)) | (n & UINT32_C(0x00ff00ff)) << 8;
+    return n >> 16 | n << 16;
+}
+
+/* A bijection in which every input bit flips every output bit with a chance near one half (constants: hash-prospector,
+ * C. Wellons and TheIronBorn). */
+static inline uint32_t bd_hash_mix(uint32_t value) {
+    uint32_t h = value ^ UINT32_C(0xe6fe3beb);
+    h ^= h >> 16;
+    h *= UINT32_C(0x21f0aaad);
+    h ^= h >> 15;
+    h *= UINT32_C(0xd35a2d97);
+    return h ^ h >> 15;
+}
+
+/* A seed that depends on all bits of both and on their order; chain it for more. */
+static inline uint32_t bd_hash_combine(uint32_t seed, uint32_t value) {
+    return bd_hash_mix(bd_hash_mix(seed) + value);
+}
+
+/* 64 bits of seed from 64: a bijection (multiplier: P. Evensen, rrmxmx). */
+static inline uint64_t bd_hash_mix_64(uint64_t value) {
+    uint64_t h = value ^ UINT64_C(0x9e3779b97f4a7c15);
+    h = (h ^ h >> 32) * UINT64_C(0x9fb21c651e98df25);
+    h = (h ^ h >> 29) * UINT64_C(0x9fb21c651e98df25);
+    return h ^ h >> 32;
+}
+
+/* Laine-Karras permutation (second version of N. Vegdahl): every bit is flipped by a hash of the bits below it. Hash
+ * the seed first. */
+static inline uint32_t bd_hash_laine_karras(uint32_t value_rev, uint32_t seed) {
+    uint32_t n = value_rev;
+    n ^= n * UINT32_C(0x3d20adea);
+    n += seed;
+    n *= seed >> 16 | 1;
+    n ^= n * UINT32_C(0x05526c56);
+    return n ^ n * UINT32_C(0x53a22864);
+}
+
+/* Nested uniform (Owen) scramble of a 0.32 number: digit k is flipped by a hash of the digits above it. */
+static inline uint32_t bd_hash_owen(uint32_t value_fx, uint32_t seed) {
+    return bd_hash_reverse_bits(bd_hash_laine_karras(bd_hash_reverse_bits(value_fx), seed));
+}
+
+/* Another seed from a seed, cheaper than bd_hash_mix. */
+static inline uint32_t bd_hash_other(uint32_t seed) {
+    return (uint32_t)(seed * UINT64_C(0x9e3779b97f4a7c15) >> 32);
+}
+
+/* Base-4 form of bd_hash_laine_karras: every pair of bits goes through a permutation of 0..3 that a hash of the pairs
+ * below it has chosen. */
+static inline uint32_t bd_hash_laine_karras_4(uint32_t value_rev, uint32_t seed) {
+    const uint32_t first = UINT32_C(0x55555555);
+    const uint32_t own = bd_hash_other(seed);
+    const uint32_t hash = bd_hash_laine_karras(value_rev, own);
+    const uint32_t choice = hash << 2 | own >> 30;
+    const uint32_t third = hash << 4 | (own >> 26 & 0xf);
+    uint32_t n = value_rev;
+    n ^= (n & first) << 1;
+    n ^= n >> 1 & choice & first;
+    n ^= (n & choice >> 1 & first) << 1;
+    n ^= n >> 1 & third & first;
+    return bd_hash_laine_karras(n, seed);
+}
+
+/* Nested uniform scramble in base 4 of a 0.32 number. */
+static inline uint32_t bd_hash_owen_4(uint32_t value_fx, uint32_t seed) {
+    return bd_hash_reverse_bits(bd_hash_laine_karras_4(bd_hash_reverse_bits(value_fx), seed));
+}
+
+/* Shuffles sample numbers so that every set {0, ..., 2^k - 1} stays the same set; bit-reversed. Hash the seed first. */
+static inline uint32_t bd_hash_shuffle_rev(uint32_t index_rev, uint32_t seed) {
+    uint32_t n = index_rev;
+    n ^= n * (seed & ~UINT32_C(1));
+    n *= seed >> 20 | 1;
+    return n ^ n * (seed >> 10 & ~UINT32_C(1));
+}
+
+/* bd_hash_shuffle_rev of an index that is not reversed. */
+static inline uint32_t bd_hash_shuffle(uint32_t index, uint32_t seed) {
+    return bd_hash_reverse_bits(bd_hash_shuffle_rev(bd_hash_reverse_bits(index), seed));
+}
+
+/* ---- torus: a tile repeats without a seam ---- */
+
+/* A coordinate inside a tile of `size` pixels, a power of two. */
+static inline uint32_t bd_torus_wrap(uint32_t coordinate, uint32_t size) {
+    return coordinate & (size - 1);
+}
+
+/* How far from the pixel itself a tile of 2^size_log2 squared pixels is read: other domains, pads and frames read it
+ * elsewhere, along the R2 sequence (M. Roberts 2018). Number domains 0, 1, 2, ... */
+static inline void bd_torus_offset(uint32_t seed, uint32_t domain, uint32_t pad, uint32_t frame, uint32_t size_log2,
+                                   uint32_t out[2]) {
+    const uint32_t x = bd_hash_mix(seed), y = bd_hash_mix(x);
+    const uint32_t shift = size_log2 < 32 ? 32 - size_log2 : 0;
+    out[0] = x + domain * UINT32_C(0xc13fa9a9) + frame * UINT32_C(0x9003ec6d) + pad * UINT32_C(0xb3f5166e);
+    out[1] = y + domain * UINT32_C(0x91e10da5) + frame * UINT32_C(0x12410809) + pad * UINT32_C(0x95a7a918);
+    out[0] = shift < 32 ? out[0] >> shift : 0;
+    out[1] = shift < 32 ? out[1] >> shift : 0;
+}
+
+/* ---- sobol: points of the (0, 2)-sequence, and their own scrambles ---- */
+
+/* Point `index` of dimension 0, the van der Corput sequence. */
+static inline uint32_t bd_sobol_dimension_0(uint32_t index) {
+    return bd_hash_reverse_bits(index);
+}
+
+/* Point `index` of dimension 1, bit-reversed: Pascal's triangle modulo 2, by five butterflies. */
+static inline uint32_t bd_sobol_dimension_1_rev(uint32_t index) {
+    uint32_t n = index;
+    n ^= n >> 1 & UINT32_C(0x55555555);
+    n ^= n >> 2 & UINT32_C(0x33333333);
+    n ^= n >> 4 & UINT32_C(0x0f0f0f0f);
+    n ^= n >> 8 & UINT32_C(0x00ff00ff);
+    return n ^ n >> 16;
+}
+
+static inline uint32_t bd_sobol_dimension_1(uint32_t index) {
+    return bd_hash_reverse_bits(bd_sobol_dimension_1_rev(index));
+}
+
+/* Point `index` of the first two dimensions. */
+static inline void bd_sobol_point(uint32_t index, uint32_t out[2]) {
+    out[0] = bd_sobol_dimension_0(index);
+    out[1] = bd_sobol_dimension_1(index);
+}
+
+/* bd_sobol_point with one independent Owen scramble a dimension. */
+static inline void bd_sobol_owen_point(uint32_t index, uint32_t seed, uint32_t out[2]) {
+    const uint32_t other = bd_hash_mix(seed ^ UINT32_C(0x94d049bb));
+    out[0] = bd_hash_reverse_bits(bd_hash_laine_karras(index, bd_hash_mix(seed)));
+    out[1] = bd_hash_reverse_bits(bd_hash_laine_karras(bd_sobol_dimension_1_rev(index), other));
+}
+
+/* Direction numbers of `count` dimensions, 32 each. */
+typedef struct {
+    const uint32_t (*numbers)[32];
+    uint32_t count;
+} bd_directions_t;
+
+/* Point `index` of dimension `dimension` modulo the number of dimensions. As they are, the higher dimensions are poorly
+ * spread in pairs over the first points: take bd_directions_owen. */
+static inline uint32_t bd_directions_dimension(bd_directions_t directions, uint32_t index, uint32_t dimension) {
+    const uint32_t *numbers = directions.numbers[dimension % directions.count];
+    uint32_t sum = 0;
+    for (; index != 0; index >>= 1, numbers++) {
+        if (index & 1) {
+            sum ^= *numbers;
+        }
+    }
+    return sum;
+}
+
+/* The same, Owen-scrambled; dimensions beyond the last come again, each time in an order and by a scramble of their
+ * own. */
+static inline uint32_t bd_directions_owen(bd_directions_t directions, uint32_t index, uint32_t dimension,
+                                          uint32_t seed) {
+    const uint32_t round = dimension / directions.count;
+    const uint32_t scramble = bd_hash_combine(seed, bd_hash_mix(dimension));
+    const uint32_t shuffled = round == 0 ? index : bd_hash_shuffle(index, bd_hash_combine(seed, round));
+    return bd_hash_owen(bd_directions_dimension(directions, shuffled, dimension), scramble);
+}
+
+/* ---- zorder: pixels along a Z curve ---- */
+
+/* The Morton code of the lower 16 bits of both: bit k of x is bit 2k, bit k of y bit 2k+1. */
+static inline uint32_t bd_zorder_morton_16(uint32_t x, uint32_t y) {
+    uint64_t n = (uint64_t)(y & 0xffff) << 32 | (x & 0xffff);
+    n = (n | n << 8) & UINT64_C(0x00ff00ff00ff00ff);
+    n = (n | n << 4) & UINT64_C(0x0f0f0f0f0f0f0f0f);
+    n = (n | n << 2) & UINT64_C(0x3333333333333333);
+    n = (n | n << 1) & UINT64_C(0x5555555555555555);
+    return (uint32_t)(n | n >> 31);
+}
+
+/* Where a place of the curve, bit-reversed, begins on the Sobol sequence: its sample i is point bd_zorder_first_index ^
+ * i, and the samples of a square of pixels are a net together, for every power of two of them. */
+static inline uint32_t bd_zorder_first_index(uint32_t place_rev) {
+    uint32_t n = place_rev, b;
+    b = n & UINT32_C(0xcccccccc);
+    n ^= b >> 1 ^ b >> 2;
+    b = n & UINT32_C(0xf0f0f0f0);
+    n ^= b >> 2 ^ b >> 4;
+    b = n & UINT32_C(0xff00ff00);
+    n ^= b >> 4 ^ b >> 8;
+    b = n & UINT32_C(0xffff0000);
+    return n ^ b >> 8 ^ b >> 16;
+}
+
+/* ---- strata: the unit interval or square in `count` cells of equal size, any count; 0 counts as 1 ---- */
+
+/* The point at `inside` of cell `cell` (modulo `count`). A 64-bit division. */
+static inline uint32_t bd_strata_place_1d(uint32_t cell, uint32_t count, uint32_t inside) {
+    count = count == 0 ? 1 : count;
+    return (uint32_t)(((uint64_t)(cell % count) << 32 | inside) / count);
+}
+
+/* How many rows of cells the square has: the root of `count`, rounded to the nearest. */
+static inline uint64_t bd_strata_rows(uint64_t count) {
+    uint64_t root = 0, bit;
+    for (bit = UINT64_C(1) << 16; bit != 0; bit >>= 1) {
+        if ((root | bit) * (root | bit) <= count) {
+            root |= bit;
+        }
+    }
+    return count - root * root > root ? root + 1 : root;
+}
+
+/* The point at `inside` of cell `cell` (modulo `count`) of the square. An integer root and five 64-bit divisions. */
+static inline void bd_strata_place_2d(uint32_t cell, uint32_t count, const uint32_t inside[2], uint32_t out[2]) {
+    const uint64_t n = count == 0 ? 1 : count;
+    const uint64_t place = cell % n;
+    const uint64_t rows = bd_strata_rows(n);
+    const uint64_t row = ((place + 1) * rows - 1) / n;
+    const uint64_t first = row * n / rows;
+    const uint64_t cells = (row + 1) * n / rows - first;
+    const uint64_t x = ((place - first) << 32 | inside[0]) / cells;
+    const uint64_t y = ((first << 32) + cells * inside[1]) / n;
+    out[0] = (uint32_t)x;
+    out[1] = (uint32_t)y;
+}
+
+/* ---- shift: one point set for the image, moved in every pixel by its mask value (Cranley and Patterson 1976) ---- */
+
+/* Global: one component, modulo 1. */
+static inline uint32_t bd_shift_global(uint32_t point_fx, uint32_t offset_fx) {
+    return point_fx + offset_fx;
+}
+
+/* Stratified, 1D: (cell + frac(local + offset)) / count. */
+static inline uint32_t bd_shift_stratified_1d(uint32_t cell, uint32_t count, uint32_t local, uint32_t offset) {
+    return bd_strata_place_1d(cell, count, local + offset);
+}
+
+/* Stratified, 2D: any count, equal areas. */
+static inline void bd_shift_stratified_2d(uint32_t cell, uint32_t count, const uint32_t local[2],
+                                          const uint32_t offset[2], uint32_t out[2]) {
+    const uint32_t inside[2] = {local[0] + offset[0], local[1] + offset[1]};
+    bd_strata_place_2d(cell, count, inside, out);
+}
+
+/* ---- mask: square tiles of ranks, looked up toroidally ---- */
+
+/* One number a pixel: ranks 0..4^size_log2 - 1, row by row. */
+typedef struct {
+    const uint16_t *ranks;
+    uint32_t size_log2;
+} bd_scalar_mask_t;
+
+/* Two numbers a pixel, interleaved. */
+typedef struct {
+    const uint16_t *ranks;
+    uint32_t size_log2;
+} bd_vector_mask_t;
+
+/* A mask for each of 2^frames_log2 frames. */
+typedef struct {
+    const uint16_t *ranks;
+    uint32_t size_log2, frames_log2;
+} bd_time_mask_t;
+
+static inline uint32_t bd_mask_place(uint32_t size_log2, uint32_t x, uint32_t y) {
+    const uint32_t size = UINT32_C(1) << size_log2;
+    return bd_torus_wrap(y, size) << size_log2 | bd_torus_wrap(x, size);
+}
+
+/* The 0.32 value of a rank: the centre of its cell. */
+static inline uint32_t bd_mask_value_fx(uint32_t rank, uint32_t size_log2) {
+    return (2 * rank + 1) << (31 - 2 * size_log2);
+}
+
+/* The rank at a pixel. */
+static inline uint16_t bd_scalar_rank(bd_scalar_mask_t mask, uint32_t x, uint32_t y) {
+    return mask.ranks[bd_mask_place(mask.size_log2, x, y)];
+}
+
+/* The value at a pixel. */
+static inline uint32_t bd_scalar_value_fx(bd_scalar_mask_t mask, uint32_t x, uint32_t y) {
+    return bd_mask_value_fx(bd_scalar_rank(mask, x, y), mask.size_log2);
+}
+
+/* The value at a pixel, in (0, 1). */
+static inline float bd_scalar_value(bd_scalar_mask_t mask, uint32_t x, uint32_t y) {
+    return bd_unit_to_f32(bd_scalar_value_fx(mask, x, y));
+}
+
+/* The ranks at a pixel. */
+static inline void bd_vector_rank(bd_vector_mask_t mask, uint32_t x, uint32_t y, uint16_t out[2]) {
+    const uint32_t place = 2 * bd_mask_place(mask.size_log2, x, y);
+    out[0] = mask.ranks[place];
+    out[1] = mask.ranks[place + 1];
+}
+
+/* The values at a pixel. */
+static inline void bd_vector_value_fx(bd_vector_mask_t mask, uint32_t x, uint32_t y, uint32_t out[2]) {
+    uint16_t ranks[2];
+    bd_vector_rank(mask, x, y, ranks);
+    out[0] = bd_mask_value_fx(ranks[0], mask.size_log2);
+    out[1] = bd_mask_value_fx(ranks[1], mask.size_log2);
+}
+
+/* The mask of a frame; after the last the first comes again. */
+static inline bd_scalar_mask_t bd_time_mask_frame(bd_time_mask_t masks, uint32_t frame) {
+    bd_scalar_mask_t mask;
+    const uint32_t place = bd_torus_wrap(frame, UINT32_C(1) << masks.frames_log2);
+    mask.ranks = masks.ranks + (place << 2 * masks.size_log2);
+    mask.size_log2 = masks.size_log2;
+    return mask;
+}
+
+/* ---- dither: halftoning by the thresholds of a mask, integers only ---- */
+
+/* The threshold of a channel (0..3, then again) at a pixel; frames look the mask up elsewhere. Channel 0 of frame 0 is
+ * bd_scalar_value_fx. */
+static inline uint32_t bd_dither_threshold_fx(bd_scalar_mask_t mask, uint32_t x, uint32_t y, uint32_t channel,
+                                              uint32_t frame) {
+    uint32_t first[2], place[2];
+    bd_torus_offset(0, 0, 0, 0, mask.size_log2, first);
+    bd_torus_offset(0, channel % 4, 0, frame, mask.size_log2, place);
+    return bd_scalar_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
+}
+
+/* The level, 0..levels-1, of `value` of 0..max: the upper of its two neighbours where its way between them exceeds the
+ * threshold. A value that is a level stays. Fewer than two levels or a `max` of 0 give 0. */
+static inline uint16_t bd_dither_level(uint16_t value, uint16_t max, uint16_t levels, uint32_t threshold_fx) {
+    uint32_t scaled, lower, rest;
+    if (max == 0 || levels < 2) {
+        return 0;
+    }
+    scaled = (uint32_t)(value < max ? value : max) * (uint32_t)(levels - 1);
+    lower = scaled / max;
+    rest = scaled % max;
+    return (uint16_t)(lower + (rest > (uint32_t)((uint64_t)threshold_fx * max >> 32)));
+}
+
+/* A row of grey to 1 bit: eight pixels a byte, the leftmost in the highest bit, 1 is white; unused bits are 0. `bits`
+ * has room for (width + 7) / 8 bytes. */
+static inline void bd_dither_gray1_row(bd_scalar_mask_t mask, uint32_t y, uint32_t frame, const uint8_t *gray,
+                                       uint32_t width, uint8_t *bits) {
+    uint32_t first[2], place[2], x;
+    bd_torus_offset(0, 0, 0, 0, mask.size_log2, first);
+    bd_torus_offset(0, 0, 0, frame, mask.size_log2, place);
+    for (x = 0; x < width; x++) {
+        const uint32_t threshold = bd_scalar_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
+        const uint32_t bit = bd_dither_level(gray[x], 255, 2, threshold);
+        bits[x / 8] = (uint8_t)((x % 8 == 0 ? 0 : bits[x / 8]) | bit << (7 - x % 8));
+    }
+}
+
+/* ---- what all samplers share ---- */
+
+/* A domain of its own for a second pair of dimensions. */
+static inline uint32_t bd_domain_padded(uint32_t domain, uint32_t pad) {
+    return domain ^ pad * UINT32_C(0x5bd1e995);
+}
+
+/* The 64 bits of a domain's own. */
+static inline uint64_t bd_domain_word(uint64_t seed, uint32_t domain, uint32_t pad) {
+    return seed * (bd_hash_mix_64(bd_domain_padded(domain, pad)) | 1);
+}
+
+/* Sample `index` for purpose `domain`: one to four numbers, `_fx` or in [0, 1). From two on, the first two are the
+ * optimised pair of the domain, the others a padded second pair. */
+#define BD_CALL_SHAPE(sampler)                                                                                         \
+    static inline uint32_t sampler##_draw1_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index) {       \
+        uint32_t point[2];                                                                                             \
+        sampler##_point(pixel, domain, 0, bd_hash_reverse_bits(index), point);                                         \
+        return point[0];                                                                                               \
+    }                                                                                                                  \
+    static inline void sampler##_draw2_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,             \
+                                          uint32_t out[2]) {                                                           \
+        sampler##_point(pixel, domain, 0, bd_hash_reverse_bits(index), out);                                           \
+    }                                                                                                                  \
+    static inline void sampler##_draw4_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,             \
+                                          uint32_t out[4]) {                                                           \
+        const uint32_t index_rev = bd_hash_reverse_bits(index);                                                        \
+        sampler##_point(pixel, domain, 0, index_rev, out);                                                             \
+        sampler##_point(pixel, domain, 1, index_rev, out + 2);                                                         \
+    }                                                                                                                  \
+    static inline void sampler##_draw3_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,             \
+                                          uint32_t out[3]) {                                                           \
+        uint32_t all[4];                                                                                               \
+        sampler##_draw4_fx(pixel, domain, index, all);                                                                 \
+        out[0] = all[0];                                                                                               \
+        out[1] = all[1];                                                                                               \
+        out[2] = all[2];                                                                                               \
+    }                                                                                                                  \
+    static inline float sampler##_draw1(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index) {             \
+        return bd_unit_to_f32(sampler##_draw1_fx(pixel, domain, index));                                               \
+    }                                                                                                                  \
+    static inline void sampler##_draw2(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,                \
+                                       float out[2]) {                                                                 \
+        uint32_t fx[2];                                                                                                \
+        sampler##_draw2_fx(pixel, domain, index, fx);                                                                  \
+        out[0] = bd_unit_to_f32(fx[0]);                                                                                \
+        out[1] = bd_unit_to_f32(fx[1]);                                                                                \
+    }                                                                                                                  \
+    static inline void sampler##_draw3(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,                \
+                                       float out[3]) {                                                                 \
+        uint32_t fx[3];                                                                                                \
+        sampler##_draw3_fx(pixel, domain, index, fx);                                                                  \
+        out[0] = bd_unit_to_f32(fx[0]);                                                                                \
+        out[1] = bd_unit_to_f32(fx[1]);                                                                                \
+        out[2] = bd_unit_to_f32(fx[2]);                                                                                \
+    }                                                                                                                  \
+    static inline void sampler##_draw4(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,                \
+                                       float out[4]) {                                                                 \
+        uint32_t fx[4];                                                                                                \
+        sampler##_draw4_fx(pixel, domain, index, fx);                                                                  \
+        out[0] = bd_unit_to_f32(fx[0]);                                                                                \
+        out[1] = bd_unit_to_f32(fx[1]);                                                                                \
+        out[2] = bd_unit_to_f32(fx[2]);                                                                                \
+        out[3] = bd_unit_to_f32(fx[3]);                                                                                \
+    }
+
+/* ---- linear: the columns of the linear pixel order ---- */
+
+@linear@
+
+/* Point `index_rev`, bit-reversed, of the sequence that all pixels share. */
+static inline void bd_linear_point_rev(uint32_t index_rev, uint32_t out[2]) {
+    const uint32_t *low = bd_linear_nibbles[0][index_rev >> 28];
+    const uint32_t *high = bd_linear_nibbles[1][index_rev >> 24 & 15];
+    uint32_t rest = index_rev << 8, bit;
+    out[0] = low[0] ^ high[0];
+    out[1] = low[1] ^ high[1];
+    for (bit = 0; rest != 0; rest <<= 1, bit++) {
+        if (rest >> 31) {
+            out[0] ^= bd_linear_columns[bit][0];
+            out[1] ^= bd_linear_columns[bit][1];
+        }
+    }
+}
+
+/* The digits that a pixel of a block of 32x32 adds to all its points. */
+static inline uint32_t bd_linear_digits(const uint32_t columns[10], uint32_t x, uint32_t y) {
+    uint32_t sum = 0, bit;
+    for (bit = 0; bit < 5; bit++) {
+        sum ^= columns[2 * bit] & (0 - (x >> bit & 1));
+        sum ^= columns[2 * bit + 1] & (0 - (y >> bit & 1));
+    }
+    return sum;
+}
+
+/* ---- sampler: the linear pixel order, recommended ---- */
+
+typedef struct {
+    const uint32_t (*sets)[10];
+    uint32_t flips_rev, seed;
+} bd_sampler_t;
+
+typedef struct {
+    const uint32_t (*sets)[10];
+    uint64_t block;
+    uint32_t flips_rev, own, x, y;
+} bd_sampler_pixel_t;
+
+/* Progressive: every power of two is a good moment to stop. */
+static inline bd_sampler_t bd_sampler_new(uint32_t seed) {
+    bd_sampler_t sampler;
+    sampler.sets = bd_linear_orders[9];
+    sampler.flips_rev = 0;
+    sampler.seed = seed;
+    return sampler;
+}
+
+/* `spp` samples per pixel, a power of two up to 256 (0 counts as 1), bluer than by bd_sampler_new once all are drawn;
+ * other numbers are drawn as by that. */
+static inline bd_sampler_t bd_sampler_with_spp(uint32_t seed, uint32_t spp) {
+    bd_sampler_t sampler = bd_sampler_new(seed);
+    uint32_t k;
+    spp = spp == 0 ? 1 : spp;
+    for (k = 0; k < 9; k++) {
+        if (spp == UINT32_C(1) << k) {
+            sampler.sets = bd_linear_orders[k];
+            sampler.flips_rev = bd_hash_reverse_bits(spp - 1);
+        }
+    }
+    return sampler;
+}
+
+/* The samples of one pixel in one frame. */
+static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
+    const uint64_t seed = bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame);
+    bd_sampler_pixel_t pixel;
+    pixel.sets = sampler.sets;
+    pixel.flips_rev = sampler.flips_rev;
+    /* The blocks of every seed and frame begin elsewhere. */
+    pixel.x = x + (uint32_t)seed;
+    pixel.y = y + (uint32_t)(seed >> 32);
+    pixel.block = bd_hash_mix_64(seed ^ (uint64_t)(pixel.y >> 5) << 32 ^ pixel.x >> 5);
+    pixel.own = bd_hash_mix((uint32_t)pixel.block ^ ((pixel.y & 31) << 5 | (pixel.x & 31)));
+    return pixel;
+}
+
+static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
+                                    uint32_t out[2]) {
+    /* All pixels of a block have one of the sets, transposed or not, numbers swapped or not, and a digital shift. */
+    const uint64_t shift = bd_domain_word(pixel->block, domain, pad);
+    const uint32_t choice = (uint32_t)(shift >> 32);
+    const uint32_t transposed = choice >> 3 & 1, swapped = choice >> 4 & 1;
+    const uint32_t digits = bd_linear_digits(pixel->sets[choice & 7], transposed ? pixel->y : pixel->x,
+                                             transposed ? pixel->x : pixel->y);
+    /* Each pixel has an order of samples of its own. */
+    const uint64_t random = (choice ^ pixel->own) * UINT64_C(0x9e3779b97f4a7c15);
+    uint32_t point[2];
+    index_rev = bd_hash_shuffle_rev(index_rev, (uint32_t)(random >> 32)) ^ ((uint32_t)random & pixel->flips_rev);
+    bd_linear_point_rev(index_rev, point);
+    point[0] ^= choice ^ (digits & UINT32_C(0xffff0000));
+    point[1] ^= (uint32_t)shift ^ digits << 16;
+    out[0] = point[swapped];
+    out[1] = point[1 - swapped];
+}
+
+BD_CALL_SHAPE(bd_sampler)
+
+/* ---- z_order: Ahmed and Wonka 2020, progressive, no constants ---- */
+
+typedef struct {
+    uint32_t seed;
+} bd_z_order_t;
+
+typedef struct {
+    uint64_t seed;
+    uint32_t place_rev;
+} bd_z_order_pixel_t;
+
+static inline bd_z_order_t bd_z_order_new(uint32_t seed) {
+    bd_z_order_t sampler;
+    sampler.seed = seed;
+    return sampler;
+}
+
+/* The same: the number of samples makes no difference. */
+static inline bd_z_order_t bd_z_order_with_spp(uint32_t seed, uint32_t spp) {
+    (void)spp;
+    return bd_z_order_new(seed);
+}
+
+static inline bd_z_order_pixel_t bd_z_order_pixel(bd_z_order_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
+    const uint32_t block = x >> 16 | (y & UINT32_C(0xffff0000));
+    bd_z_order_pixel_t pixel;
+    pixel.seed = bd_hash_mix_64(bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame) ^ block);
+    pixel.place_rev = bd_hash_laine_karras_4(bd_hash_reverse_bits(bd_zorder_morton_16(x, y)), (uint32_t)pixel.seed);
+    return pixel;
+}
+
+static inline void bd_z_order_point(const bd_z_order_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
+                                    uint32_t out[2]) {
+    const uint64_t seeds = bd_domain_word(pixel->seed, domain, pad);
+    const uint32_t place_rev = bd_hash_laine_karras(pixel->place_rev, (uint32_t)(seeds >> 16));
+    const uint32_t order = bd_hash_other(place_rev);
+    const uint32_t first = bd_zorder_first_index(place_rev);
+    const uint32_t index = bd_hash_reverse_bits(bd_hash_shuffle_rev(index_rev, order)) ^ first;
+    const uint32_t y_rev = bd_sobol_dimension_1_rev(index);
+    out[0] = bd_hash_reverse_bits(bd_hash_laine_karras(index, (uint32_t)seeds));
+    out[1] = bd_hash_reverse_bits(bd_hash_laine_karras(y_rev, (uint32_t)(seeds >> 32)));
+}
+
+BD_CALL_SHAPE(bd_z_order)
+
+/* ---- keyed: scrambling keys of a tile (Heitz et al. 2019) ---- */
+
+/* The upper 16 digits of two keys a pixel, the first in the upper half. */
+typedef struct {
+    const uint32_t *digits;
+    uint32_t size_log2;
+} bd_keys_t;
+
+typedef struct {
+    bd_keys_t keys;
+    uint32_t seed;
+} bd_keyed_t;
+
+typedef struct {
+    bd_keyed_t sampler;
+    uint32_t x, y, frame;
+} bd_keyed_pixel_t;
+
+/* The keys of a pixel; the lower 16 digits are 0. */
+static inline void bd_keys_key(bd_keys_t keys, uint32_t x, uint32_t y, uint32_t out[2]) {
+    const uint32_t digits = keys.digits[bd_mask_place(keys.size_log2, x, y)];
+    out[0] = digits & UINT32_C(0xffff0000);
+    out[1] = digits << 16;
+}
+
+/* With a table of this header or your own. */
+static inline bd_keyed_t bd_keyed_with_keys(bd_keys_t keys, uint32_t seed) {
+    bd_keyed_t sampler;
+    sampler.keys = keys;
+    sampler.seed = seed;
+    return sampler;
+}
+
+static inline bd_keyed_pixel_t bd_keyed_pixel(bd_keyed_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
+    bd_keyed_pixel_t pixel;
+    pixel.sampler = sampler;
+    pixel.x = x;
+    pixel.y = y;
+    pixel.frame = frame;
+    return pixel;
+}
+
+static inline void bd_keyed_point(const bd_keyed_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
+                                  uint32_t out[2]) {
+    const bd_keyed_t sampler = pixel->sampler;
+    const uint32_t order =
+        bd_hash_combine(bd_hash_combine(sampler.seed, bd_domain_padded(domain, pad)), pixel->frame);
+    const uint32_t low = bd_hash_mix(order); /* the lower digits are the domain's */
+    uint32_t place[2], key[2];
+    bd_torus_offset(sampler.seed, domain, pad, pixel->frame, sampler.keys.size_log2, place);
+    bd_keys_key(sampler.keys, pixel->x + place[0], pixel->y + place[1], key);
+    bd_linear_point_rev(bd_hash_shuffle_rev(index_rev, order), out);
+    out[0] ^= key[0] | low >> 16;
+    out[1] ^= key[1] | (low & 0xffff);
+}
+
+BD_CALL_SHAPE(bd_keyed)
+
+/* ---- white: Owen-scrambled points, a seed for every pixel; for comparison ---- */
+
+typedef struct {
+    uint32_t seed;
+} bd_white_t;
+
+typedef struct {
+    uint32_t seed;
+} bd_white_pixel_t;
+
+static inline bd_white_t bd_white_new(uint32_t seed) {
+    bd_white_t sampler;
+    sampler.seed = seed;
+    return sampler;
+}
+
+/* The same: the number of samples makes no difference. */
+static inline bd_white_t bd_white_with_spp(uint32_t seed, uint32_t spp) {
+    (void)spp;
+    return bd_white_new(seed);
+}
+
+static inline bd_white_pixel_t bd_white_pixel(bd_white_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
+    const uint32_t row = bd_hash_combine(bd_hash_combine(sampler.seed, frame), y);
+    bd_white_pixel_t pixel;
+    pixel.seed = bd_hash_combine(row, bd_hash_mix(x));
+    return pixel;
+}
+
+static inline void bd_white_point(const bd_white_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
+                                  uint32_t out[2]) {
+    const uint32_t seed = bd_hash_combine(pixel->seed, bd_domain_padded(domain, pad));
+    bd_sobol_owen_point(bd_hash_reverse_bits(bd_hash_shuffle_rev(index_rev, seed)), seed, out);
+}
+
+BD_CALL_SHAPE(bd_white)
+
+/* ---- tables ---- */
+
+@tables@
+#endif /* BLUEDITHER_H */

@@ -1,0 +1,111 @@
+//! The C99 header: `bluedither.h` beside this folder, with its places filled.
+
+use crate::folder::version;
+use crate::tables::{Kind, Table};
+use bluedither::tables::{EFFORT, LINEAR_ORDER};
+use std::fmt::Write as _;
+
+const TEMPLATE: &str = include_str!("../bluedither.h");
+
+/// The text of the header with these tables.
+pub fn header(tables: &[Table]) -> String {
+    let mut licence = String::from("MIT OR Apache-2.0");
+    if tables.iter().any(|table| table.kind == Kind::Directions) {
+        licence = format!("({licence}) AND BSD-3-Clause");
+    }
+    let tables: String = tables.iter().map(table).collect();
+    TEMPLATE
+        .replace("@licence@", &licence)
+        .replace("@version@", version())
+        .replace("@effort@", EFFORT.name())
+        .replace("@linear@\n", &linear_order())
+        .replace("@tables@\n", &tables)
+}
+
+/// Numbers and, beside them, the small value by which functions take them.
+fn table(table: &Table) -> String {
+    let (name, width, count) = (table.identifier(), table.width, table.numbers.len());
+    let size_log2 = table.size_log2();
+    let heading = |what: &str, bytes: usize| format!("/* {}: {what}, {bytes} bytes. */\n", table.name);
+    let ranks = |what: &str, kind: &str, rest: &str| {
+        heading(&format!("{what}, {width}x{width} pixels"), 2 * count)
+            + &array("uint16_t", &format!("bd_{name}_ranks[{count}]"), &table.numbers)
+            + &format!("static const {kind} bd_{name} = {{bd_{name}_ranks, {size_log2}{rest}}};\n\n")
+    };
+    match table.kind {
+        Kind::Scalar => ranks("a mask of one channel", "bd_scalar_mask_t", ""),
+        Kind::Vector => ranks("a mask of two channels", "bd_vector_mask_t", ""),
+        Kind::Frames => {
+            let frames = table.frames();
+            let rest = format!(", {}", frames.trailing_zeros());
+            ranks(&format!("masks for {frames} frames"), "bd_time_mask_t", &rest)
+        }
+        Kind::Keys => {
+            let digits: Vec<u32> = table.numbers.chunks(2).map(|pixel| pixel[0] << 16 | pixel[1]).collect();
+            heading(&format!("scrambling keys, {width}x{width} pixels"), 2 * count)
+                + &array("uint32_t", &format!("bd_{name}_digits[{}]", digits.len()), &digits)
+                + &format!("static const bd_keys_t bd_{name} = {{bd_{name}_digits, {size_log2}}};\n\n")
+        }
+        Kind::Directions => {
+            let dimensions = table.rows();
+            heading("direction numbers (Joe and Kuo 2008; BSD-3-Clause, see joe_kuo.LICENSE.txt)", 4 * count)
+                + &format!("static const uint32_t bd_{name}_numbers[{dimensions}][32] = {{\n")
+                + &rows(&table.numbers, 32)
+                + "};\n"
+                + &format!("static const bd_directions_t bd_{name} = {{bd_{name}_numbers, {dimensions}}};\n\n")
+        }
+        // For seeds in buffers of frames, which C has no functions for here.
+        Kind::Codes => String::new(),
+    }
+}
+
+/// Columns of every order, and the points.
+fn linear_order() -> String {
+    let mut text = String::from(
+        "/* What the bits of x and of y add, in turn, upper 16 digits of both numbers: eight sets for each of 1, 2, 4, ..., 256\n \
+         * samples a pixel, and for any number. */\n\
+         static const uint32_t bd_linear_orders[10][8][10] = {\n",
+    );
+    for order in LINEAR_ORDER.known.iter().chain([&LINEAR_ORDER.progressive]) {
+        let wrote = writeln!(text, "    {{\n{}    }},", rows(order.as_flattened(), 10));
+        wrote.expect("a String grows");
+    }
+    let points = |indices: &mut dyn Iterator<Item = u32>| -> Vec<u32> {
+        indices.flat_map(|index| halves(LINEAR_ORDER.sequence.packed(index))).collect()
+    };
+    let nibble = |shift: u32| points(&mut (0..16u32).map(|sum| (sum.reverse_bits() >> 28) << shift));
+    text += "};\n/* Points of the lower two nibbles of a sample's number, each reversed. */\n\
+             static const uint32_t bd_linear_nibbles[2][16][2] = {\n";
+    for shift in [0, 4] {
+        text += &format!("    {{\n{}    }},\n", rows(&nibble(shift), 2));
+    }
+    text += "};\n/* What its other bits add. */\nstatic const uint32_t bd_linear_columns[24][2] = {\n";
+    text += &rows(&points(&mut (8..32).map(|bit| 1 << bit)), 2);
+    text + "};\n"
+}
+
+/// The upper half of a word and the lower one.
+#[allow(clippy::cast_possible_truncation, reason = "halves of a word")]
+fn halves(word: u64) -> [u32; 2] {
+    [(word >> 32) as u32, word as u32]
+}
+
+/// `static const` numbers in one dimension.
+fn array(kind: &str, declaration: &str, numbers: &[u32]) -> String {
+    let mut text = format!("static const {kind} {declaration} = {{\n");
+    for line in numbers.chunks(16) {
+        text += &format!("    {},\n", joined(line));
+    }
+    text + "};\n"
+}
+
+/// Numbers in braces, `columns` in a row.
+fn rows(numbers: &[u32], columns: usize) -> String {
+    numbers.chunks(columns).map(|row| format!("        {{{}}},\n", joined(row))).collect()
+}
+
+/// Unsigned, also where an `int` has 16 bits.
+fn joined(numbers: &[u32]) -> String {
+    let text = |number: &u32| if *number > 0xffff { format!("0x{number:08x}u") } else { number.to_string() };
+    numbers.iter().map(text).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,158 @@
+//! The same functions for shaders: WGSL text to paste, and the tables' bytes for its bindings.
+//!
+//! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`, then come
+//! the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
+//! `bd_sampler_pixel(sampler, x, y, frame)`, and another sampler is another word, as in Rust. `draw::<2>` is `draw2`;
+//! `[u32; 2]` is `vec2<u32>`; `u64` is `vec2<u32>`, its lower half first. The bits are the same.
+//!
+//! A text reads its table by a function that it leaves to you, as its head says. Write it, or take one of a [`Table`], for
+//! a storage buffer or a texture:
+//!
+//! ```
+//! use bluedither::shader;
+//!
+//! let mine = "
+//!     @fragment
+//!     fn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+//!         let blue = bd_sampler_with_spp(1u, 4u); // seed, samples per pixel
+//!         let pixel = bd_sampler_pixel(blue, u32(position.x), u32(position.y), 0u);
+//!         var mean = 0.0;
+//!         for (var index = 0u; index < 4u; index++) {
+//!             let lens = bd_sampler_draw2(pixel, 0u, index); // vec2<f32>, each in [0, 1)
+//!             mean += lens.x * lens.y;
+//!         }
+//!         return vec4<f32>(mean / 4.0);
+//!     }
+//! ";
+//! let wgsl: String = shader::SAMPLER.texts().chain([shader::LINEAR_ORDER.storage, mine]).collect();
+//! let table: Vec<u32> = shader::linear_order_words().collect(); // for group 0, binding 0
+//! # assert!(wgsl.contains("fn bd_linear_order_load") && table.len() == 912);
+//! ```
+//!
+//! Plain WGSL without a preprocessor, in any order: declarations need not come before their use. No text declares an entry
+//! point or a binding, but [`SEEDS_PASS`]. What works on rows or lists (`fill`, `fill_row`, `candidate`, the rows of
+//! [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so is [`warp`](crate::warp), whose
+//! functions have other bits on every device.
+
+mod table;
+mod words;
+
+pub use table::{
+    DIRECTION_NUMBERS, KEYS_TILE, LATTICE_MASK, LINEAR_LIGHT, LINEAR_ORDER, RANKING_2019, SCALAR_MASK, SCRAMBLING_2019,
+    SEED_SWAPS, SOBOL_2019, TIME_MASK, Table, VECTOR_MASK,
+};
+#[cfg(feature = "gamma")]
+pub use words::linear_light_words;
+#[cfg(feature = "seed-permutation")]
+pub use words::seed_swap_words;
+#[cfg(any(feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
+pub use words::time_words;
+pub use words::{byte_words, direction_words, keys_words, linear_order_words, scalar_words, vector_words};
+
+/// Texts that go together: a set of modules that holds all that each of them needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parts(u64);
+
+impl Parts {
+    /// These and others, each once.
+    #[inline]
+    #[must_use]
+    pub const fn and(self, others: Self) -> Self {
+        Self(self.0 | others.0)
+    }
+
+    /// What to paste.
+    pub fn texts(self) -> impl Iterator<Item = &'static str> + Clone {
+        self.modules().map(|(_, text)| text)
+    }
+
+    /// The modules' names: those of their files and, but for helpers, of their Rust modules and types.
+    pub fn names(self) -> impl Iterator<Item = &'static str> + Clone {
+        self.modules().map(|(name, _)| name)
+    }
+
+    fn modules(self) -> impl Iterator<Item = (&'static str, &'static str)> + Clone {
+        MODULES.iter().enumerate().filter(move |(bit, _)| self.0 >> bit & 1 == 1).map(|(_, &module)| module)
+    }
+}
+
+/// A constant for each module, which is a bit of [`Parts`], in the order of the list; needs stand above what needs them.
+macro_rules! modules {
+    ($($(#[$doc:meta])* $name:ident $file:literal [$($need:ident)*])*) => {
+        #[allow(clippy::upper_case_acronyms, non_camel_case_types, reason = "names of the constants below")]
+        enum Bit { $($name),* }
+        $($(#[$doc])* pub const $name: Parts = Parts(1 << Bit::$name as u64 $(| $need.0)*);)*
+        /// Everything.
+        pub const ALL: Parts = Parts(0 $(| $name.0)*);
+        static MODULES: [(&str, &str); ALL.0.count_ones() as usize] =
+            [$(($file, include_str!(concat!("../wgsl/", $file, ".wgsl")))),*];
+    };
+}
+
+modules! {
+    /// [`unit`](mod@crate::unit): `bd_unit_…`.
+    UNIT "unit" []
+    /// Words of 64 bits, which WGSL lacks: `bd_wide_…`.
+    WIDE "wide" []
+    /// [`hash`](crate::hash): `bd_hash_…`.
+    HASH "hash" [WIDE]
+    /// [`torus`](crate::torus): `bd_torus_…`.
+    TORUS "torus" [HASH]
+    /// [`sobol`](crate::sobol): `bd_sobol_…`.
+    SOBOL "sobol" [HASH]
+    /// [`sobol::Directions`](crate::sobol::Directions): `bd_directions_…`; reads [`DIRECTION_NUMBERS`].
+    DIRECTIONS "directions" [HASH]
+    /// [`lattice`](crate::lattice): `bd_lattice_…`.
+    LATTICE "lattice" [WIDE]
+    /// [`linear`](crate::linear): `bd_linear_…`; reads [`LINEAR_ORDER`].
+    LINEAR "linear" []
+    /// [`zorder`](crate::zorder), the curve: `bd_zorder_…`.
+    ZORDER "zorder" []
+    /// [`strata`](crate::strata): `bd_strata_…`.
+    STRATA "strata" [HASH]
+    /// [`shift`](crate::shift): `bd_shift_…`.
+    SHIFT "shift" [STRATA]
+    /// What masks share: `bd_mask_…`.
+    MASK "mask/mod" []
+    /// [`ScalarMask`](crate::ScalarMask): `bd_scalar_…`; reads [`SCALAR_MASK`].
+    SCALAR "mask/scalar" [MASK UNIT]
+    /// [`VectorMask`](crate::VectorMask) of two channels: `bd_vector_…`; reads [`VECTOR_MASK`].
+    VECTOR "mask/vector" [MASK UNIT]
+    /// [`Keys`](crate::Keys): `bd_keys_…`; reads [`KEYS_TILE`].
+    KEYS "keys" []
+    /// [`keys_2019`](crate::keys_2019): `bd_keys_2019_…`; reads [`SOBOL_2019`], [`SCRAMBLING_2019`] and [`RANKING_2019`].
+    KEYS_2019 "keys_2019" [UNIT]
+    /// What samplers share: `bd_domain_…`.
+    DOMAIN "sampler/mod" [HASH]
+    /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`LINEAR_ORDER`].
+    SAMPLER "sampler/linear" [DOMAIN LINEAR UNIT]
+    /// [`ZOrder`](crate::ZOrder): `bd_z_order_…`.
+    Z_ORDER "sampler/zorder" [DOMAIN ZORDER SOBOL UNIT]
+    /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
+    KEYED "sampler/keyed" [DOMAIN KEYS LINEAR TORUS UNIT]
+    /// [`Rank1`](crate::Rank1): `bd_rank1_…`; reads [`LATTICE_MASK`].
+    RANK1 "sampler/rank1" [DOMAIN MASK TORUS UNIT]
+    /// [`Dithered`](crate::Dithered): `bd_dithered_…`; reads [`SCALAR_MASK`] and [`VECTOR_MASK`].
+    DITHERED "sampler/dithered" [DOMAIN SCALAR VECTOR SHIFT SOBOL TORUS]
+    /// [`White`](crate::White): `bd_white_…`.
+    WHITE "sampler/white" [DOMAIN SOBOL UNIT]
+    /// [`Constant`](crate::Constant): `bd_constant_…`.
+    CONSTANT "sampler/constant" [WHITE]
+    /// [`dither::quantise`](crate::dither::quantise): `bd_quantise_…`.
+    QUANTISE "dither/quantise" [WIDE]
+    /// [`dither::ordered`](crate::dither::ordered): `bd_ordered_…`.
+    ORDERED "dither/ordered" [ZORDER]
+    /// `dither::gamma`: `bd_gamma_…`; reads [`LINEAR_LIGHT`].
+    GAMMA "dither/gamma" [QUANTISE]
+    /// [`dither::alpha`](crate::dither::alpha): `bd_alpha_…`.
+    ALPHA "dither/alpha" []
+    /// [`Dither`](crate::Dither): `bd_dither_…`; reads [`SCALAR_MASK`].
+    DITHER "dither/mod" [QUANTISE ORDERED SCALAR TORUS]
+    /// `frames::masks`: `bd_over_time_…`; reads [`TIME_MASK`].
+    OVER_TIME "frames/masks" [MASK UNIT]
+    /// `frames::seeds`: `bd_seeds_…`; reads [`SEED_SWAPS`].
+    SEEDS "frames/seeds" []
+    /// `frames::seeds::permute` as a compute pass, with bindings and entry points of its own; reads [`SEED_SWAPS`] and
+    /// [`SCALAR_MASK`].
+    SEEDS_PASS "frames/seeds_pass" [SEEDS SCALAR]
+}

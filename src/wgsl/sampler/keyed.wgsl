@@ -1,0 +1,70 @@
+// Heitz and others 2019: one sequence for the image, scrambled by keys of every pixel. As `bluedither::Keyed`, with the tile
+// that is bound.
+
+struct bd_Keyed {
+    seed: u32,
+}
+
+// Samples per pixel unknown: the sequence goes on for as long as it is asked.
+fn bd_keyed_new(seed: u32) -> bd_Keyed {
+    return bd_Keyed(seed);
+}
+
+// The same; `spp` makes no difference.
+fn bd_keyed_with_spp(seed: u32, spp: u32) -> bd_Keyed {
+    return bd_Keyed(seed);
+}
+
+struct bd_KeyedPixel {
+    seed: u32,
+    place: vec2<u32>,
+    frame: u32,
+}
+
+// The samples of one pixel in one frame.
+fn bd_keyed_pixel(seeded: bd_Keyed, x: u32, y: u32, frame: u32) -> bd_KeyedPixel {
+    return bd_KeyedPixel(seeded.seed, vec2<u32>(x, y), frame);
+}
+
+// The pair of a domain at an index, 0.32 fixed point.
+fn bd_keyed_pair(pixel: bd_KeyedPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
+    let place = pixel.place + bd_torus_offset(pixel.seed, domain, pad, pixel.frame, BD_KEYS_LOG2);
+    let order = bd_hash_combine(bd_domain_seed(pixel.seed, domain, pad), pixel.frame);
+    // The lower digits are the domain's.
+    let low = bd_hash_mix(order);
+    let key = bd_keys_key(place.x, place.y) | vec2<u32>(low >> 16u, low & 0xffffu);
+    return bd_linear_packed_rev(bd_hash_shuffle_rev(reverseBits(index), order)).yx ^ key;
+}
+
+// Sample `index` for purpose `domain`: 1 to 4 numbers, 0.32 fixed point or floats in [0, 1).
+fn bd_keyed_draw1_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> u32 {
+    return bd_keyed_pair(pixel, domain, 0u, index).x;
+}
+
+fn bd_keyed_draw2_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec2<u32> {
+    return bd_keyed_pair(pixel, domain, 0u, index);
+}
+
+fn bd_keyed_draw3_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec3<u32> {
+    return vec3<u32>(bd_keyed_pair(pixel, domain, 0u, index), bd_keyed_pair(pixel, domain, 1u, index).x);
+}
+
+fn bd_keyed_draw4_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec4<u32> {
+    return vec4<u32>(bd_keyed_pair(pixel, domain, 0u, index), bd_keyed_pair(pixel, domain, 1u, index));
+}
+
+fn bd_keyed_draw1(pixel: bd_KeyedPixel, domain: u32, index: u32) -> f32 {
+    return bd_unit_to_f32(bd_keyed_draw1_fx(pixel, domain, index));
+}
+
+fn bd_keyed_draw2(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec2<f32> {
+    return bd_unit_to_f32s2(bd_keyed_draw2_fx(pixel, domain, index));
+}
+
+fn bd_keyed_draw3(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec3<f32> {
+    return bd_unit_to_f32s3(bd_keyed_draw3_fx(pixel, domain, index));
+}
+
+fn bd_keyed_draw4(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec4<f32> {
+    return bd_unit_to_f32s4(bd_keyed_draw4_fx(pixel, domain, index));
+}

@@ -1,0 +1,90 @@
+// The recommended sampler: the linear pixel order. As `bluedither::Sampler`.
+
+struct bd_Sampler {
+    seed: u32,
+    // Where the order begins among the constants.
+    order: u32,
+    // Bits of a sample's number that a pixel may flip.
+    flips_rev: u32,
+}
+
+// Progressive: the sequence goes on for as long as it is asked.
+fn bd_sampler_new(seed: u32) -> bd_Sampler {
+    return bd_Sampler(seed, 9u * BD_LINEAR_ORDER, 0u);
+}
+
+// `spp` samples per pixel: powers of two up to 256; other numbers are drawn as by bd_sampler_new.
+fn bd_sampler_with_spp(seed: u32, spp: u32) -> bd_Sampler {
+    let count = max(spp, 1u);
+    if count > 256u || (count & (count - 1u)) != 0u {
+        return bd_sampler_new(seed);
+    }
+    return bd_Sampler(seed, countTrailingZeros(count) * BD_LINEAR_ORDER, reverseBits(count - 1u));
+}
+
+struct bd_SamplerPixel {
+    order: u32,
+    flips_rev: u32,
+    // A hash of the block, and one of the pixel.
+    block: vec2<u32>,
+    own: u32,
+    place: vec2<u32>,
+}
+
+// The samples of one pixel in one frame.
+fn bd_sampler_pixel(seeded: bd_Sampler, x: u32, y: u32, frame: u32) -> bd_SamplerPixel {
+    let seed = bd_hash_mix_64(vec2<u32>(frame, seeded.seed));
+    let place = vec2<u32>(x, y) + seed;
+    let block = bd_hash_mix_64(seed ^ (place >> vec2<u32>(5u)));
+    let own = bd_hash_mix(block.x ^ (((place.y & 31u) << 5u) | (place.x & 31u)));
+    return bd_SamplerPixel(seeded.order, seeded.flips_rev, block, own, place);
+}
+
+// The pair of a domain at an index, 0.32 fixed point.
+fn bd_sampler_pair(pixel: bd_SamplerPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
+    // What all pixels of a block have: a set of columns, transposed or not, numbers swapped or not, a digital shift.
+    let shift = bd_domain_word(pixel.block, domain, pad);
+    let choice = shift.y;
+    let columns = pixel.order + (choice & 7u) * BD_LINEAR_SET;
+    let place = select(pixel.place, pixel.place.yx, ((choice >> 3u) & 1u) == 1u);
+    let digits = bd_linear_digits(columns, place.x, place.y);
+    let key = shift ^ vec2<u32>(digits << 16u, digits & 0xffff0000u);
+    // The order of its samples.
+    let random = bd_wide_mul(vec2<u32>(choice ^ pixel.own, 0u), vec2<u32>(0x7f4a7c15u, 0x9e3779b9u));
+    let index_rev = bd_hash_shuffle_rev(reverseBits(index), random.y) ^ (random.x & pixel.flips_rev);
+    let point = bd_linear_packed_rev(index_rev) ^ key;
+    return select(point.yx, point, ((choice >> 4u) & 1u) == 1u);
+}
+
+// Sample `index` for purpose `domain`: 1 to 4 numbers, 0.32 fixed point or floats in [0, 1).
+fn bd_sampler_draw1_fx(pixel: bd_SamplerPixel, domain: u32, index: u32) -> u32 {
+    return bd_sampler_pair(pixel, domain, 0u, index).x;
+}
+
+fn bd_sampler_draw2_fx(pixel: bd_SamplerPixel, domain: u32, index: u32) -> vec2<u32> {
+    return bd_sampler_pair(pixel, domain, 0u, index);
+}
+
+fn bd_sampler_draw3_fx(pixel: bd_SamplerPixel, domain: u32, index: u32) -> vec3<u32> {
+    return vec3<u32>(bd_sampler_pair(pixel, domain, 0u, index), bd_sampler_pair(pixel, domain, 1u, index).x);
+}
+
+fn bd_sampler_draw4_fx(pixel: bd_SamplerPixel, domain: u32, index: u32) -> vec4<u32> {
+    return vec4<u32>(bd_sampler_pair(pixel, domain, 0u, index), bd_sampler_pair(pixel, domain, 1u, index));
+}
+
+fn bd_sampler_draw1(pixel: bd_SamplerPixel, domain: u32, index: u32) -> f32 {
+    return bd_unit_to_f32(bd_sampler_draw1_fx(pixel, domain, index));
+}
+
+fn bd_sampler_draw2(pixel: bd_SamplerPixel, domain: u32, index: u32) -> vec2<f32> {
+    return bd_unit_to_f32s2(bd_sampler_draw2_fx(pixel, domain, index));
+}
+
+fn bd_sampler_draw3(pixel: bd_SamplerPixel, domain: u32, index: u32) -> vec3<f32> {
+    return bd_unit_to_f32s3(bd_sampler_draw3_fx(pixel, domain, index));
+}
+
+fn bd_sampler_draw4(pixel: bd_SamplerPixel, domain: u32, index: u32) -> vec4<f32> {
+    return bd_unit_to_f32s4(bd_sampler_draw4_fx(pixel, domain, index));
+}

@@ -1,0 +1,108 @@
+//! Look-ups.
+
+use bluedither::keys_2019::Tables2019;
+use bluedither::shader::*;
+use bluedither::tables::{
+    KEYS_64, OFFSET_1D_16, OFFSET_2D_64, SEED_PERMUTATION, THRESHOLD_64, THRESHOLD_256, THRESHOLD_OVER_TIME_32,
+};
+use bluedither::{ScalarMask, frames, hash, linear, tables};
+
+use super::low_high;
+use crate::bind;
+use crate::case::{Case, case};
+
+pub fn cases() -> Vec<Case> {
+    let scalars = [scalars(&THRESHOLD_64), scalars(&OFFSET_1D_16), scalars(&THRESHOLD_256)].into_iter().flatten();
+    scalars.chain(vectors()).chain(linears()).chain(keys()).chain(of_2019()).chain(over_time()).chain(seeds()).collect()
+}
+
+fn scalars<const S: usize>(mask: &'static ScalarMask<S>) -> Vec<Case> {
+    vec![
+        case(SCALAR, "bd_scalar_rank(a, b)", |[a, b]| [mask.rank(a, b).into()]).with(bind::scalar(mask)),
+        case(SCALAR, "bd_scalar_value_fx(a, b)", |[a, b]| [mask.value_fx(a, b)]).with(bind::scalar(mask)),
+        case(SCALAR, "bd_scalar_value(a, b)", |[a, b]| [mask.value(a, b).to_bits()]).with(bind::scalar(mask)),
+    ]
+}
+
+fn vectors() -> Vec<Case> {
+    let mask = &OFFSET_2D_64;
+    vec![
+        case(VECTOR, "bd_vector_rank(a, b)", |[a, b]| mask.rank(a, b).map(u32::from)).with(bind::vector(mask)),
+        case(VECTOR, "bd_vector_value_fx(a, b)", |[a, b]| mask.value_fx(a, b)).with(bind::vector(mask)),
+        case(VECTOR, "bd_vector_value(a, b)", |[a, b]| mask.value(a, b).map(f32::to_bits)).with(bind::vector(mask)),
+    ]
+}
+
+fn linears() -> Vec<Case> {
+    let tables = &tables::LINEAR_ORDER;
+    let bound = bind::linear_order;
+    vec![
+        case(LINEAR, "bd_linear_packed_rev(a)", |[a]| low_high(tables.sequence.packed_rev(a))).with(bound()),
+        case(LINEAR, "bd_linear_packed(a)", |[a]| low_high(tables.sequence.packed(a))).with(bound()),
+        case(LINEAR, "bd_linear_digits(10u * (a % 80u), b, c)", |[a, b, c]| {
+            let sets = tables.known.as_flattened().iter().chain(&tables.progressive);
+            [linear::digits(sets.clone().nth(a as usize % 80).expect("there are 80"), b, c)]
+        })
+        .with(bound()),
+    ]
+}
+
+fn keys() -> Vec<Case> {
+    vec![case(KEYS, "bd_keys_key(a, b)", |[a, b]| KEYS_64.key(a, b)).with(bind::keys(&KEYS_64))]
+}
+
+/// With bytes at random: the tables of 2019 are not at hand.
+fn of_2019() -> Vec<Case> {
+    let random = |seed: u32, count: u32| -> &'static [u8] {
+        (0..count).map(|i| (hash::combine(seed, i) >> 24) as u8).collect::<Vec<_>>().leak()
+    };
+    let (sobol, scrambling, ranking) = (random(1, 65_536), random(2, 131_072), random(3, 131_072));
+    let tables = Tables2019::from_slices(sobol, scrambling, ranking).expect("as many as there are");
+    let with_all = |case: Case| {
+        case.with(bind::bytes(SOBOL_2019, sobol, 256))
+            .with(bind::bytes(SCRAMBLING_2019, scrambling, 1024))
+            .with(bind::bytes(RANKING_2019, ranking, 1024))
+    };
+    vec![
+        case(KEYS_2019, "bd_keys_2019_value(a, b, c, d)", move |[a, b, c, d]| [tables.value(a, b, c, d).into()]),
+        case(KEYS_2019, "bd_keys_2019_value_fx(a, b, c, d)", move |[a, b, c, d]| [tables.value_fx(a, b, c, d)]),
+        case(KEYS_2019, "bd_keys_2019_value_f32(a, b, c, d)", move |[a, b, c, d]| {
+            [tables.value_f32(a, b, c, d).to_bits()]
+        }),
+    ]
+    .into_iter()
+    .map(with_all)
+    .collect()
+}
+
+fn over_time() -> Vec<Case> {
+    let mask = &THRESHOLD_OVER_TIME_32;
+    vec![
+        case(OVER_TIME, "bd_over_time_rank(a, b, c)", |[a, b, c]| [mask.frame(a).rank(b, c).into()]),
+        case(OVER_TIME, "bd_over_time_value_fx(a, b, c)", |[a, b, c]| [mask.frame(a).value_fx(b, c)]),
+        case(OVER_TIME, "bd_over_time_value(a, b, c)", |[a, b, c]| [mask.frame(a).value(b, c).to_bits()]),
+    ]
+    .into_iter()
+    .map(|case| case.with(bind::over_time(mask)))
+    .collect()
+}
+
+fn seeds() -> Vec<Case> {
+    vec![
+        case(SEEDS, "bd_seeds_place(a)", |[a]| SEED_PERMUTATION.place(a)).with(bind::seed_swaps()),
+        case(SEEDS, "bd_seeds_partner(a & 3u, b, c)", |[a, b, c]| {
+            let partner = SEED_PERMUTATION.partner(a & 3, b, c);
+            partner.map_or([0; 2], |(right, down)| [right as i32 as u32, down as u32])
+        })
+        .with(bind::seed_swaps()),
+        case(SEEDS, "select(0u, 1u, bd_seeds_begins_block(2u << (a % 3u), b, c))", |[a, b, c]| {
+            let begins = match a % 3 {
+                0 => frames::seeds::begins_block::<2>(b, c),
+                1 => frames::seeds::begins_block::<4>(b, c),
+                _ => frames::seeds::begins_block::<8>(b, c),
+            };
+            [begins.into()]
+        })
+        .with(bind::seed_swaps()),
+    ]
+}
