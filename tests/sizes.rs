@@ -9,7 +9,7 @@ use bluedither::{ScalarMask, VectorMask, effort, lattice, linear, sobol, strata}
 mod bake;
 
 /// Feature and bytes.
-const BYTES: [(&str, usize); 21] = [
+const BYTES: [(&str, usize); 25] = [
     ("threshold-16", 512),
     ("threshold-32", 2_048),
     ("threshold-64", 8_192),
@@ -30,6 +30,10 @@ const BYTES: [(&str, usize); 21] = [
     ("lattice-64", 16_384),
     ("threshold-over-time-32", 65_536),
     ("threshold-over-time-64", 131_072),
+    ("offset-2d-over-time-32", 65_536),
+    ("offset-2d-over-time-64", 131_072),
+    ("threshold-filtered-64", 8_192),
+    ("threshold-filtered-over-time-64", 131_072),
     ("seed-permutation", 8_192),
 ];
 

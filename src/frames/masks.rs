@@ -24,7 +24,7 @@
 //! # }
 //! ```
 
-use crate::mask::ScalarMask;
+use crate::mask::{ScalarMask, VectorMask};
 
 /// T masks of S×S pixels; T is a power of two. To dither by one, `Dither::blue(mask.frame(n))`, without `Dither::frame`.
 #[doc(alias = "spatiotemporal")]
@@ -33,25 +33,41 @@ pub struct TimeMask<const S: usize, const T: usize> {
     frames: [ScalarMask<S>; T],
 }
 
-impl<const S: usize, const T: usize> TimeMask<S, T> {
-    /// Masks of your own, one for each frame.
-    #[must_use]
-    pub const fn new(frames: [ScalarMask<S>; T]) -> Self {
-        const { assert!(T.is_power_of_two() && T <= 1 << 16, "the number of frames is a power of two") };
-        Self { frames }
-    }
-
-    /// The mask of a frame. Any frame: after T of them the first comes again.
-    #[inline]
-    #[must_use]
-    pub const fn frame(&self, frame: u32) -> &ScalarMask<S> {
-        &self.frames[frame as usize & (T - 1)]
-    }
-
-    /// All masks.
-    #[inline]
-    #[must_use]
-    pub const fn frames(&self) -> &[ScalarMask<S>; T] {
-        &self.frames
-    }
+/// The same for pairs of numbers: offsets of two-dimensional samples. To sample by one,
+/// `Dithered::with_masks(thresholds, mask.frame(n), seed)`, with frame 0.
+#[doc(alias = "spatiotemporal")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PairTimeMask<const S: usize, const T: usize> {
+    frames: [VectorMask<2, S>; T],
 }
+
+/// What both have.
+macro_rules! frames_of {
+    ($masks:ident of $mask:ty) => {
+        impl<const S: usize, const T: usize> $masks<S, T> {
+            /// Masks of your own, one for each frame.
+            #[must_use]
+            pub const fn new(frames: [$mask; T]) -> Self {
+                const { assert!(T.is_power_of_two() && T <= 1 << 16, "the number of frames is a power of two") };
+                Self { frames }
+            }
+
+            /// The mask of a frame. Any frame: after T of them the first comes again.
+            #[inline]
+            #[must_use]
+            pub const fn frame(&self, frame: u32) -> &$mask {
+                &self.frames[frame as usize & (T - 1)]
+            }
+
+            /// All masks.
+            #[inline]
+            #[must_use]
+            pub const fn frames(&self) -> &[$mask; T] {
+                &self.frames
+            }
+        }
+    };
+}
+
+frames_of!(TimeMask of ScalarMask<S>);
+frames_of!(PairTimeMask of VectorMask<2, S>);

@@ -4,7 +4,6 @@
 //! blue-noise masks, and may touch the rest: have that checked before you ship it. The `frame` argument, which moves
 //! look-ups and seeds anew, is not concerned.
 
-#[cfg(any(feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
 pub mod masks;
 #[cfg(feature = "seed-permutation")]
 pub mod seeds;
