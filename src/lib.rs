@@ -81,6 +81,7 @@
 //! | `sobol-1024` | | 131,072 |
 //! | `threshold-over-time-32` | `frames::masks`: a mask for each of 32 frames; see the caution in `frames` | 65,536 |
 //! | `threshold-over-time-64` | the same for each of 16 | 131,072 |
+//! | `threshold-over-time-128` | the same for each of 64; some ten seconds to build | 2,097,152 |
 //! | `offset-2d-over-time-32` | two channels for each of 16 frames; the same caution | 65,536 |
 //! | `offset-2d-over-time-64` | the same for each of 8 | 131,072 |
 //! | `threshold-filtered-64` | a threshold mask for the filter that comes after it, see below | 8,192 |

@@ -69,7 +69,7 @@ pub fn all() -> Vec<Recipe> {
         .chain(sizes(Kind::Keys4, 6..=6))
         .chain(sizes(Kind::Keys16, 6..=6))
         .chain(sizes(Kind::Lattice, 6..=6))
-        .chain(sizes(Kind::OverTime, 5..=6))
+        .chain(sizes(Kind::OverTime, 5..=7))
         .chain(sizes(Kind::Offset2dOverTime, 5..=6))
         .chain(sizes(Kind::Filtered, 6..=6))
         .chain(sizes(Kind::FilteredOverTime, 6..=6))
@@ -99,11 +99,12 @@ impl Recipe {
         (self.kind != Kind::Retargeting).then_some(&numbers[..frame])
     }
 
-    /// log₂ of the number of frames: larger masks have fewer.
+    /// log₂ of the number of frames: as many as fit into 64 or 128 KiB, and of the largest mask the published 64.
     fn frames_log2(self) -> u32 {
-        match self.kind {
-            Kind::OverTime | Kind::FilteredOverTime => 10 - self.size_log2,
-            Kind::Offset2dOverTime => 9 - self.size_log2,
+        match (self.kind, self.size_log2) {
+            (Kind::OverTime, 7) => 6,
+            (Kind::OverTime | Kind::FilteredOverTime, size_log2) => 10 - size_log2,
+            (Kind::Offset2dOverTime, size_log2) => 9 - size_log2,
             _ => 0,
         }
     }

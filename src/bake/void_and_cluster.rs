@@ -135,10 +135,12 @@ impl Space<'_> {
     }
 }
 
-/// A square of weights around a pixel.
+/// Weights around a pixel, row by row; each row from its first to its last that is not 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Window {
     radius: usize,
+    /// Of every row the part of `weights`, which begins this far from the left end of the square.
+    rows: Vec<[usize; 3]>,
     weights: Vec<i32>,
 }
 
@@ -151,31 +153,44 @@ impl Window {
 
     /// The weight of every distance along x and y, 0..=`radius` each.
     pub fn new(radius: usize, weight: impl Fn(usize, usize) -> i32) -> Self {
-        let side = 2 * radius + 1;
-        let weights = (0..side * side).map(|i| weight((i % side).abs_diff(radius), (i / side).abs_diff(radius)));
-        Self { radius, weights: weights.collect() }
+        let (mut rows, mut weights) = (Vec::new(), Vec::new());
+        for y in 0..=2 * radius {
+            let row: Vec<i32> = (0..=2 * radius).map(|x| weight(x.abs_diff(radius), y.abs_diff(radius))).collect();
+            let first = row.iter().position(|&weight| weight != 0).unwrap_or(radius);
+            rows.push([first, weights.len(), weights.len() + row.len() - 2 * first]);
+            weights.extend(&row[first..row.len() - first]);
+        }
+        Self { radius, rows, weights }
     }
 
     /// Adds or takes away in a tile. One smaller than the window wraps: the kernel repeats, too.
     fn splat(&self, field: &mut [i32], size_log2: u32, pixel: usize, sign: i32) {
         let mask = (1usize << size_log2) - 1;
         let (x, y) = (pixel & mask, pixel >> size_log2);
-        let side = 2 * self.radius + 1;
-        // A slice, and sums that cannot be negative: unoptimised, a `Vec`'s index and `wrapping_add` are calls.
-        let weights: &[i32] = &self.weights;
+        // Sums that cannot be negative, and slices: unoptimised, `wrapping_add` and a `Vec`'s index are calls.
         let wraps = (self.radius | mask) + 1 - self.radius;
         let (left, top) = (x + wraps, y + wraps);
-        let mut w = 0;
+        let rows: &[[usize; 3]] = &self.rows;
         let mut j = 0;
-        while j < side {
+        while j < rows.len() {
+            let [first, begin, end] = rows[j];
+            let (weights, start) = (&self.weights[begin..end], (left + first) & mask);
             let row = ((top + j) & mask) << size_log2;
-            let mut i = 0;
-            while i < side {
-                field[row | ((left + i) & mask)] += sign * weights[w];
-                w += 1;
-                i += 1;
-            }
             j += 1;
+            if start + weights.len() <= mask + 1 {
+                let cells = &mut field[row | start..(row | start) + weights.len()];
+                let mut i = 0;
+                while i < weights.len() {
+                    cells[i] += sign * weights[i];
+                    i += 1;
+                }
+            } else {
+                let mut i = 0;
+                while i < weights.len() {
+                    field[row | ((start + i) & mask)] += sign * weights[i];
+                    i += 1;
+                }
+            }
         }
     }
 }

@@ -41,7 +41,37 @@ pub struct PairTimeMask<const S: usize, const T: usize> {
     frames: [VectorMask<2, S>; T],
 }
 
-/// What both have.
+/// T·G masks of S×S pixels in G groups, so that no table is too large for a compiler; T and G are powers of two.
+#[doc(alias = "spatiotemporal")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LongTimeMask<const S: usize, const T: usize, const G: usize> {
+    groups: [&'static TimeMask<S, T>; G],
+}
+
+impl<const S: usize, const T: usize, const G: usize> LongTimeMask<S, T, G> {
+    /// Masks of your own, T frames a group.
+    #[must_use]
+    pub const fn new(groups: [&'static TimeMask<S, T>; G]) -> Self {
+        const { assert!(G.is_power_of_two() && G <= 1 << 16, "the number of groups is a power of two") };
+        Self { groups }
+    }
+
+    /// The mask of a frame. Any frame: after T·G of them the first comes again.
+    #[inline]
+    #[must_use]
+    pub const fn frame(&self, frame: u32) -> &ScalarMask<S> {
+        self.groups[frame as usize / T & (G - 1)].frame(frame)
+    }
+
+    /// All masks, group by group.
+    #[inline]
+    #[must_use]
+    pub const fn groups(&self) -> &[&'static TimeMask<S, T>; G] {
+        &self.groups
+    }
+}
+
+/// What the other two have.
 macro_rules! frames_of {
     ($masks:ident of $mask:ty) => {
         impl<const S: usize, const T: usize> $masks<S, T> {
