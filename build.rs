@@ -33,6 +33,7 @@ mod strata;
 use std::path::Path;
 use std::time::Instant;
 
+use bake::filter::{self, Filter};
 use bake::inputs::Inputs;
 use bake::linear_order::LinearOrder;
 use bake::recipe::Recipe;
@@ -42,22 +43,30 @@ use effort::Effort;
 fn main() {
     println!("cargo::rerun-if-changed=tables");
     println!("cargo::rerun-if-env-changed=BLUEDITHER_EFFORT");
+    println!("cargo::rerun-if-env-changed=BLUEDITHER_FILTER");
     if let Err(line) = run() {
         println!("cargo::error={line}");
     }
 }
 
 fn run() -> Result<(), String> {
-    let effort = chosen_effort()?;
+    let (effort, filter) = (chosen_effort()?, chosen_filter()?);
     let recipes: Vec<Recipe> = bake::recipe::all().into_iter().filter(|recipe| asked_for(&recipe.name())).collect();
     let counts: Vec<usize> =
         bake::directions::COUNTS.into_iter().filter(|&count| asked_for(&bake::directions::name(count))).collect();
     let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
     let mut text = bake::embed::effort(effort);
-    text += &LinearOrder::read(&tables)?.embed();
-    // Without features nothing else is read: that is how damaged inputs can be recorded anew.
-    if !recipes.is_empty() {
-        text += &bake_all(&recipes, effort)?;
+    if recipes.is_empty() {
+        // Nothing else is read: that is how damaged inputs can be recorded anew.
+        text += &LinearOrder::read(&tables)?.embed();
+    } else {
+        let digests = Digests::read(&tables)?;
+        let inputs = Inputs { filter, ..Inputs::read(&tables, &digests)? };
+        text += &inputs.linear_order.embed();
+        text += &bake_all(&recipes, effort, &inputs, &digests);
+    }
+    if recipes.iter().any(|recipe| recipe.is_filtered()) {
+        text += &bake::embed::filter(filter);
     }
     if !counts.is_empty() {
         text += &directions(&counts)?;
@@ -66,42 +75,52 @@ fn run() -> Result<(), String> {
     std::fs::write(&path, text).map_err(|error| format!("{} cannot be written ({error})", path.display()))
 }
 
-fn bake_all(recipes: &[Recipe], effort: Effort) -> Result<String, String> {
-    let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
-    let digests = Digests::read(&tables)?;
-    let inputs = Inputs::read(&tables, &digests)?;
+fn bake_all(recipes: &[Recipe], effort: Effort, inputs: &Inputs, digests: &Digests) -> String {
     use_as_many_threads_as_cargo();
     let start = Instant::now();
     let mut texts = vec![String::new(); recipes.len()];
+    let bake = |recipe: Recipe| recipe.bake(effort, inputs);
+    let finish = |recipe, ranks: &[u16], start| finish(recipe, effort, inputs, digests, ranks, start);
     rayon::scope(|scope| {
-        for (text, &recipe) in texts.iter_mut().zip(recipes) {
-            let (inputs, digests) = (&inputs, &digests);
-            scope.spawn(move |_| *text = bake_one(recipe, effort, inputs, digests));
+        for (text, &recipe) in texts.iter_mut().zip(recipes).filter(|(_, recipe)| recipe.base().is_none()) {
+            scope.spawn(move |_| {
+                let start = Instant::now();
+                let ranks = bake(recipe);
+                *text = finish(recipe, &ranks, start);
+                for derived in recipes.iter().filter(|derived| derived.base() == Some(recipe)) {
+                    *text += &finish(*derived, &derived.derive(&ranks), start);
+                }
+            });
         }
     });
     println!("baked {} tables at {} effort in {} ms", recipes.len(), effort.name(), start.elapsed().as_millis());
-    Ok(texts.concat())
+    texts.concat()
 }
 
 /// The text of a table; what it cost and how good it is goes to the log (`cargo build -vv`).
-fn bake_one(recipe: Recipe, effort: Effort, inputs: &Inputs, digests: &Digests) -> String {
-    let start = Instant::now();
-    let ranks = recipe.bake(effort, inputs);
+fn finish(recipe: Recipe, effort: Effort, inputs: &Inputs, digests: &Digests, ranks: &[u16], start: Instant) -> String {
     let time = start.elapsed().as_millis();
     let name = recipe.name();
-    let gain = recipe.still(&ranks).map(|still| bake::quality::gain(still, recipe.channels(), recipe.size()));
+    let gain = recipe.still(ranks).map(|still| bake::quality::gain(still, recipe.channels(), recipe.size()));
     let gain = gain.map_or_else(String::new, |gain| format!(", gain {gain:.3} at sigma 1 (white is 1)"));
     println!("baked {name}: {} bytes{gain}, {time} ms beside others", recipe.bytes());
-    if digests.get(effort.name(), &name) != Some(bake::digest::of_ranks(&ranks)) {
+    let recorded = digests.get(effort.name(), &name);
+    if recipe.is_recorded(inputs) && recorded != Some(bake::digest::of_ranks(ranks)) {
         println!("cargo::warning={name} differs from its recorded digest: renders will not match other builds' bits");
     }
-    bake::embed::table(recipe, effort, &ranks)
+    bake::embed::table(recipe, effort, ranks)
 }
 
 fn chosen_effort() -> Result<Effort, String> {
     let Some(word) = std::env::var_os("BLUEDITHER_EFFORT") else { return Ok(Effort::Normal) };
     let found = Effort::ALL.into_iter().find(|effort| word == effort.name());
     found.ok_or_else(|| format!("BLUEDITHER_EFFORT is {word:?}: set it to quick, normal or thorough, or unset it"))
+}
+
+fn chosen_filter() -> Result<Filter, String> {
+    let Some(text) = std::env::var_os("BLUEDITHER_FILTER") else { return Ok(Filter::default()) };
+    let found = text.to_str().and_then(Filter::parse);
+    found.ok_or_else(|| format!("BLUEDITHER_FILTER is {text:?}: {}", filter::CURE))
 }
 
 fn directions(counts: &[usize]) -> Result<String, String> {

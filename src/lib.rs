@@ -41,7 +41,8 @@
 //! | no room for 4 KiB of constants | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | a display of few levels, an e-ink panel, banding | [`Dither`] |
-//! | the same, and frames that are averaged | a mask over time (feature `threshold-over-time-64`, see `frames::masks`) |
+//! | the same, and frames that are averaged | a mask over time (feature `threshold-over-time-64`, see [`frames::masks`]) |
+//! | the same, and a filter that you know | a mask for it (feature `threshold-filtered-64`, see [`frames::masks`]) |
 //! | frames of paths of many dimensions | `White` of a seed a pixel, permuted (feature `seed-permutation`, see `frames::seeds`) |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | a renderer that stops when it likes, often after one sample, and 16 KB | [`Keyed`] (feature `keys-64`) |
@@ -80,6 +81,11 @@
 //! | `sobol-1024` | | 131,072 |
 //! | `threshold-over-time-32` | `frames::masks`: a mask for each of 32 frames; see the caution in `frames` | 65,536 |
 //! | `threshold-over-time-64` | the same for each of 16 | 131,072 |
+//! | `threshold-over-time-128` | the same for each of 64; some ten seconds to build | 2,097,152 |
+//! | `offset-2d-over-time-32` | two channels for each of 16 frames; the same caution | 65,536 |
+//! | `offset-2d-over-time-64` | the same for each of 8 | 131,072 |
+//! | `threshold-filtered-64` | a threshold mask for the filter that comes after it, see below | 8,192 |
+//! | `threshold-filtered-over-time-64` | the same for each of 16 frames and a moving average; the same caution | 131,072 |
 //! | `seed-permutation` | `frames::seeds`: swaps of seeds between frames; see the caution there | 8,192 |
 //! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
 //! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
@@ -97,6 +103,11 @@
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
 //! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.
 //!
+//! `BLUEDITHER_FILTER` says what comes after the `threshold-filtered` masks: `gaussian:1.5` (standard deviation in
+//! pixels), `box:5`, `binomial:3` (taps along an axis), `ema:0.2` (the part of every new frame that a moving average
+//! takes), or one over pixels and `ema` joined by `+`. Without it, and for the half that is not named, it is
+//! `box:3+ema:0.1`; `tables::FILTER` tells what it was. Only the masks of that default have a recorded digest.
+//!
 //! # Vocabulary
 //! *rank*: position of a pixel in a mask's order · *shift*: of values, modulo 1 · *offset*: of coordinates, toroidal;
 //! also, as in the literature, the shift that a mask holds · *scramble*: bits · *permute*, *shuffle*: order ·
@@ -108,7 +119,6 @@
 pub mod candidate;
 pub mod dither;
 pub mod effort;
-#[cfg(any(feature = "seed-permutation", feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
 pub mod frames;
 pub mod hash;
 pub mod keys;

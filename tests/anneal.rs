@@ -11,9 +11,10 @@ use rand::{Rng, SeedableRng};
 #[path = "../src/bake/mod.rs"]
 mod bake;
 
-use bake::anneal::{Features, LANES, anneal};
+use bake::anneal::{Features, LANES, anneal, over_time};
 use bake::features::{Column, Pattern, value_order, value_set, vectors};
 use bake::inputs::Inputs;
+use bake::recipe::OFFSET_TIME_KERNEL;
 use bake::record::Digests;
 
 fn inputs() -> Inputs {
@@ -37,9 +38,11 @@ fn channels(pattern: Pattern) -> usize {
     if pattern == Pattern::Regular { 1 } else { 2 }
 }
 
-/// What a tile is annealed with.
+/// What a tile, or one for every frame, is annealed with.
 struct Problem {
     size_log2: u32,
+    frames_log2: u32,
+    time_kernel: Vec<i32>,
     features: Vec<Features>,
     order: Vec<u16>,
     kernel: Vec<i32>,
@@ -49,21 +52,33 @@ impl Problem {
     fn recorded(pattern: Pattern, size_log2: u32) -> Self {
         let (inputs, set) = (inputs(), value_set(channels(pattern), size_log2));
         let features = vectors(&set, pattern, size_log2, inputs.columns(pattern), &inputs.cosine);
-        Self { size_log2, features, order: value_order(&set), kernel: inputs.anneal_kernel }
+        let (order, kernel) = (value_order(&set), inputs.anneal_kernel);
+        Self { size_log2, frames_log2: 0, time_kernel: Vec::new(), features, order, kernel }
     }
 
     fn anneal(&self, proposals: usize, seed: u64) -> Vec<u16> {
-        anneal(self.size_log2, &self.features, &self.order, &self.kernel, proposals, seed)
+        if self.frames_log2 == 0 {
+            return anneal(self.size_log2, &self.features, &self.order, &self.kernel, proposals, seed);
+        }
+        let sizes = [self.size_log2, self.frames_log2];
+        over_time(sizes, &self.features, &self.order, &self.kernel, &self.time_kernel, proposals, seed)
     }
 
     fn lane(&self, item: u16, lane: usize) -> i64 {
         i64::from(self.features[usize::from(item)][lane / 8][lane % 8])
     }
 
-    /// F of a pixel, from nothing but the items around it.
+    /// F of a pixel, from nothing but the items around it. Frames lie one after the other.
     fn field(&self, items: &[u16], pixel: usize) -> [i64; LANES] {
-        let size = 1i64 << self.size_log2;
+        let (size, area) = (1i64 << self.size_log2, self.features.len());
         let mut field = [0; LANES];
+        for (distance, &weight) in self.time_kernel.iter().enumerate().skip(1) {
+            for frames in [distance, (items.len() / area) * 99 - distance] {
+                let other = items[(pixel + frames * area) % items.len()];
+                (0..LANES).for_each(|lane| field[lane] += i64::from(weight) * self.lane(other, lane));
+            }
+        }
+        let (items, pixel) = (&items[pixel / area * area..], pixel % area);
         for dy in -4..=4 {
             for dx in -4..=4 {
                 let r2 = (dx * dx + dy * dy) as usize;
@@ -94,35 +109,38 @@ impl Problem {
     /// The algorithm in one thread, on the whole torus. Returns the items, too, with the number of swaps and the
     /// largest |Δ| met.
     fn twin(&self, proposals: usize, seed: u64) -> (Vec<u16>, usize, i64) {
-        let (size, area) = (1usize << self.size_log2, self.features.len());
+        let (size, area, frames) = (1usize << self.size_log2, self.features.len(), 1 << self.frames_log2);
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        let mut items: Vec<u16> = (0..area).map(|i| i as u16).collect();
-        for i in (1..area as u64).rev() {
-            items.swap(i as usize, (((rng.next_u64() >> 32) * (i + 1)) >> 32) as usize);
+        let mut items: Vec<u16> = (0..frames * area).map(|i| (i % area) as u16).collect();
+        for frame in items.chunks_mut(area) {
+            for i in (1..area as u64).rev() {
+                frame.swap(i as usize, (((rng.next_u64() >> 32) * (i + 1)) >> 32) as usize);
+            }
         }
         let squares: i64 = items.iter().flat_map(|&i| (0..LANES).map(move |l| self.lane(i, l).pow(2))).sum();
-        let power = squares * i64::from(self.kernel[0].abs()) / area as i64;
+        let power = squares * i64::from(self.kernel[0].abs()) / area as i64 / frames as i64;
         let (halves, margin) = if size < 64 { (1, 0) } else { (2, 4) };
         let (mut level, mut swaps, mut largest) = (65_536i64, 0, 0);
         for _ in 0..96 {
             let turn = (rng.next_u64() >> (64 - self.size_log2)) as usize;
-            items = (0..area).map(|p| items[(p + turn * size) % area]).collect();
+            items = items.chunks(area).flat_map(|t| (0..area).map(|p| t[(p + turn * size) % area])).collect();
             let threshold = power * 65 / 1000 * level / 65_536;
             let seeds = [rng.next_u64(), rng.next_u64()];
             for (half, &seed) in seeds[..halves].iter().enumerate() {
                 let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
                 let rows = half * size / halves + margin..(half + 1) * size / halves - margin;
-                let mut pixels: Vec<usize> = (rows.start * size..rows.end * size).collect();
-                let count = pixels.len() as u64;
+                let part = |frame| frame * area + rows.start * size..frame * area + rows.end * size;
+                let mut pixels: Vec<usize> = (0..frames).flat_map(part).collect();
+                let count = (pixels.len() / frames) as u64;
                 let span = count * level as u64 / 131_072;
-                pixels.sort_by_key(|&p| self.order[usize::from(items[p])]);
-                for _ in 0..proposals * area / halves / 96 {
+                pixels.sort_by_key(|&p| (p / area, self.order[usize::from(items[p])]));
+                for _ in 0..proposals * items.len() / halves / 96 {
                     let bits = rng.next_u64();
-                    let a = ((bits >> 32) * count) >> 32;
-                    let b = (a + 1 + (((bits % (1 << 32)) * span) >> 32)) % count;
+                    let a = ((bits >> 32) * pixels.len() as u64) >> 32;
+                    let b = a / count * count + (a % count + 1 + (((bits % (1 << 32)) * span) >> 32)) % count;
                     let (p, q) = (pixels[a as usize], pixels[b as usize]);
                     let apart = |p: usize, q: usize| p.abs_diff(q).min(size - p.abs_diff(q));
-                    if apart(p % size, q % size) <= 4 && apart(p / size, q / size) <= 4 {
+                    if apart(p % size, q % size) <= 4 && apart(p / size % size, q / size % size) <= 4 {
                         continue;
                     }
                     let (at_p, at_q) = (self.field(&items, p), self.field(&items, q));
@@ -135,7 +153,7 @@ impl Problem {
                     largest = largest.max(delta.abs());
                     if delta < threshold {
                         items.swap(p, q);
-                        pixels.sort_by_key(|&p| self.order[usize::from(items[p])]);
+                        pixels.sort_by_key(|&p| (p / area, self.order[usize::from(items[p])]));
                         swaps += 1;
                     }
                 }
@@ -177,6 +195,22 @@ fn halves_are_those_of_the_twin() {
     }
 }
 
+/// Several frames, also fewer than the kernel reaches, and in halves.
+#[test]
+fn frames_are_those_of_the_twin() {
+    for (size_log2, frames_log2, proposals) in [(4, 2, 30), (4, 1, 30), (5, 3, 3), (6, 1, 2)] {
+        let time_kernel = OFFSET_TIME_KERNEL.to_vec();
+        let problem = Problem { frames_log2, time_kernel, ..Problem::recorded(Pattern::Sobol, size_log2) };
+        let (items, swaps, _) = problem.check(proposals, 6);
+        assert!(swaps > 500, "{swaps} swaps show little");
+        for frame in items.chunks(problem.features.len()) {
+            let mut sorted = frame.to_vec();
+            sorted.sort_unstable();
+            assert!(sorted.iter().enumerate().all(|(i, &item)| i == usize::from(item)), "every value in every frame");
+        }
+    }
+}
+
 /// Other kernels, some without rings and some without symmetry in sign.
 #[test]
 fn other_kernels_make_no_difference() {
@@ -205,11 +239,11 @@ fn no_sum_overflows() {
             vector
         };
         let problem = Problem {
-            size_log2: 4,
             features: (0..256).map(vector).collect(),
             // Both kinds alternate: either is within reach to the end.
             order: (0..256u16).map(|i| i % 128 * 2 + i / 128).collect(),
             kernel: kernel.iter().map(|weight| -weight).collect(),
+            ..Problem::recorded(Pattern::Regular, 4)
         };
         let (_, _, largest) = problem.check(100, 7);
         println!("largest {largest} of {most}");
@@ -219,7 +253,7 @@ fn no_sum_overflows() {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(8);
     let mut extreme = || if rng.next_u64() >> 63 == 0 { 63 } else { -63 };
     let features = (0..256).map(|_| core::array::from_fn(|_| core::array::from_fn(|_| extreme()))).collect();
-    Problem { size_log2: 4, features, order: (0..256).collect(), kernel }.check(100, 9);
+    Problem { features, order: (0..256).collect(), kernel, ..Problem::recorded(Pattern::Regular, 4) }.check(100, 9);
 }
 
 /// Nothing to improve: constant items, no window, no tries. The energy can not fall, and items stay what they are.

@@ -9,7 +9,7 @@ use bluedither::{ScalarMask, VectorMask, effort, lattice, linear, sobol, strata}
 mod bake;
 
 /// Feature and bytes.
-const BYTES: [(&str, usize); 21] = [
+const BYTES: [(&str, usize); 26] = [
     ("threshold-16", 512),
     ("threshold-32", 2_048),
     ("threshold-64", 8_192),
@@ -30,6 +30,11 @@ const BYTES: [(&str, usize); 21] = [
     ("lattice-64", 16_384),
     ("threshold-over-time-32", 65_536),
     ("threshold-over-time-64", 131_072),
+    ("threshold-over-time-128", 2_097_152),
+    ("offset-2d-over-time-32", 65_536),
+    ("offset-2d-over-time-64", 131_072),
+    ("threshold-filtered-64", 8_192),
+    ("threshold-filtered-over-time-64", 131_072),
     ("seed-permutation", 8_192),
 ];
 
@@ -99,5 +104,5 @@ fn manifest_docs_and_readme_state_the_bytes() {
 }
 
 fn with_commas(bytes: usize) -> String {
-    if bytes < 1000 { bytes.to_string() } else { format!("{},{:03}", bytes / 1000, bytes % 1000) }
+    if bytes < 1000 { bytes.to_string() } else { format!("{},{:03}", with_commas(bytes / 1000), bytes % 1000) }
 }

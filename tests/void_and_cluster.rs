@@ -8,6 +8,8 @@ use rand::{Rng, SeedableRng};
 #[path = "../src/bake/void_and_cluster.rs"]
 mod void_and_cluster;
 
+use void_and_cluster::Window;
+
 /// As recorded in `tables/`; any kernel would do here.
 fn kernel() -> Vec<i32> {
     let weight = |r2: f64| 1_048_576.0 * (libm::exp(-r2 / 3.92) + 0.1 * libm::exp(-r2 / 12.5));
@@ -223,12 +225,112 @@ fn every_prefix_is_evenly_spread() {
     assert!(sums[0] < 0.2 * sums[1], "mean {} against {} of random pixels", sums[0] / 993.0, sums[1] / 993.0);
 }
 
-/// Several frames: each holds every rank once, and frames that do not feel each other are as good as still ones.
+/// Several frames by the book: what a pixel feels is a sum over all ones of all frames, and each step is taken in every
+/// frame, the first of which is another one every time.
+fn twin_over_time(sizes: [u32; 2], windows: &[Window], weights: &dyn Fn(usize, usize, usize) -> i64) -> Vec<u16> {
+    let (size, frames) = (1usize << sizes[0], 1usize << sizes[1]);
+    let area = size * size;
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
+    let mut ones = vec![false; frames * area];
+    // As far as there are weights: 3 pixels, and in time as there are windows, forwards and backwards.
+    let feel = |ones: &[bool], at: usize| -> i64 {
+        let reach = -3i64..=3;
+        let mut sum = 0;
+        for t in 1 - windows.len() as i64..windows.len() as i64 {
+            let frame = (at / area) as i64 + t;
+            for (dy, dx) in reach.clone().flat_map(|dy| reach.clone().map(move |dx| (dy, dx))) {
+                let weight = weights(dx.unsigned_abs() as usize, dy.unsigned_abs() as usize, t.unsigned_abs() as usize);
+                let x = ((at % size) as i64 + dx).rem_euclid(size as i64) as usize;
+                let y = ((at / size % size) as i64 + dy).rem_euclid(size as i64) as usize;
+                if weight != 0 && ones[frame.rem_euclid(frames as i64) as usize * area + y * size + x] {
+                    sum += weight;
+                }
+            }
+        }
+        sum
+    };
+    let extreme = |ones: &[bool], frame: usize, of_ones: bool| {
+        let all = (frame * area..(frame + 1) * area).filter(|&p| ones[p] == of_ones);
+        let sign = if of_ones { -1 } else { 1 };
+        all.min_by_key(|&p| (sign * feel(ones, p), p)).expect("a pixel")
+    };
+    let count = (area / 50).min(512);
+    for frame in 0..frames {
+        while ones[frame * area..(frame + 1) * area].iter().filter(|&&one| one).count() < count {
+            ones[frame * area + (rng.next_u64() >> (64 - 2 * sizes[0])) as usize] = true;
+        }
+    }
+    loop {
+        let before = ones.clone();
+        for frame in 0..frames {
+            let cluster = extreme(&ones, frame, true);
+            ones[cluster] = false;
+            let void = extreme(&ones, frame, false);
+            ones[void] = true;
+        }
+        if ones == before {
+            break;
+        }
+    }
+    let order = |rank: usize| {
+        (0..frames).map(move |turn| {
+            let reversed = (0..sizes[1]).fold(0, |r, bit| r << 1 | (turn >> bit & 1));
+            (reversed + rank) % frames
+        })
+    };
+    let mut ranks = vec![0; frames * area];
+    let mut taken = ones.clone();
+    for rank in (0..count).rev() {
+        for frame in order(rank) {
+            let cluster = extreme(&taken, frame, true);
+            taken[cluster] = false;
+            ranks[cluster] = rank as u16;
+        }
+    }
+    for rank in count..area {
+        for frame in order(rank) {
+            let void = extreme(&ones, frame, false);
+            ones[void] = true;
+            ranks[void] = rank as u16;
+        }
+    }
+    ranks
+}
+
+#[test]
+fn frames_are_those_of_the_book() {
+    // Of one pixel in other frames, and of several.
+    let point = |dx: usize, dy: usize, t: usize| match (t, dx * dx + dy * dy) {
+        (0, r2) => [50, 30, 20, 11, 9, 6, 3, 3, 2].get(r2).copied().unwrap_or(0),
+        (t, 0) => [0, 40, 22, 5][t],
+        _ => 0,
+    };
+    let wide = |dx: usize, dy: usize, t: usize| match (dx, dy) {
+        (0..=3, 0..=2) => [7, 5, 2, 1][dx] * [9, 4, 1][dy] * [3, 2, 1, 1][t],
+        _ => 0,
+    };
+    let weights: [&dyn Fn(usize, usize, usize) -> i64; 2] = [&point, &wide];
+    for (k, weight) in weights.into_iter().enumerate() {
+        let windows: Vec<Window> = (0..4).map(|t| Window::new(3, |dx, dy| weight(dx, dy, t) as i32)).collect();
+        for sizes in [[3, 2], [4, 1], [3, 3]] {
+            let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
+            let baked = void_and_cluster::over_time(sizes, &windows, &mut rng);
+            assert!(
+                baked == twin_over_time(sizes, &windows, &|x, y, t| if x.max(y) > 3 { 0 } else { weight(x, y, t) }),
+                "{k}: {sizes:?}"
+            );
+        }
+    }
+}
+
+/// Each frame holds every rank once, and frames that do not feel each other are as good as still ones.
 #[test]
 fn every_frame_is_a_permutation() {
     let over_time = |size_log2, frames_log2, time_kernel: &[i32]| {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
-        void_and_cluster::over_time(size_log2, frames_log2, &kernel(), time_kernel, &mut rng)
+        let mut windows = vec![Window::round(&kernel())];
+        windows.extend(time_kernel.iter().skip(1).map(|&weight| Window::new(0, |_, _| weight)));
+        void_and_cluster::over_time([size_log2, frames_log2], &windows, &mut rng)
     };
     for (size_log2, frames_log2) in [(3, 1), (4, 0), (4, 2), (3, 5)] {
         for time_kernel in [&[0, 700_000, 300_000][..], &[0, 9, 8, 7, 6, 5, 4, 3, 2, 1], &[]] {

@@ -16,14 +16,17 @@
 //! accepting (Dueck and Scheuer 1990) ends where Metropolis does and needs no logarithm. All numbers are integers: the
 //! same tile on every machine. For two threads the rows are moved round and cut into two halves, each of which swaps only
 //! pixels whose window lies inside.
+//!
+//! Over time there is a tile for every frame, a row of each by turns, and w has a part between the same pixels of near
+//! frames: w_t(s)⟨f_p, f_q⟩ for frames s apart (Wolfe and others 2022). Pixels swap within their frame.
 
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
 /// Numbers in a feature vector, in rows that are unrolled by hand: this runs unoptimised in builds of dependents.
 pub const LANES: usize = 48;
-/// A feature vector. Magnitudes up to 63 and neighbours' weights of up to 2818 in all (they are 1808) keep every sum
-/// below within an `i32`.
+/// A feature vector. Magnitudes up to 63 and neighbours' weights of up to 2818 in all (they are 1808, over time 2050)
+/// keep every sum below within an `i32`.
 pub type Features = [[i32; 8]; LANES / 8];
 /// A vector of the field: two lanes a word, lane 2i + 2³²·lane 2i+1 modulo 2⁶⁴. Sums of such words are the sums of their
 /// lanes, and halve the work of adding.
@@ -51,10 +54,29 @@ pub fn anneal(
     proposals: usize,
     seed: u64,
 ) -> Vec<u16> {
-    let size = 1usize << size_log2;
-    let window = Window::new(kernel);
+    over_time([size_log2, 0], features, order, kernel, &[], proposals, seed)
+}
+
+/// The same of 2^`frames_log2` tiles, one after the other; `time_kernel[t]` is the weight at t frames' distance, of which
+/// that at 0 is not read.
+pub fn over_time(
+    [size_log2, frames_log2]: [u32; 2],
+    features: &[Features],
+    order: &[u16],
+    kernel: &[i32],
+    time_kernel: &[i32],
+    proposals: usize,
+    seed: u64,
+) -> Vec<u16> {
+    let (size, pitch) = (1usize << size_log2, 1usize << (size_log2 + frames_log2));
+    let window = Window::over_time(kernel, time_kernel, frames_log2);
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-    let mut items = shuffled(features.len(), &mut rng);
+    let mut items = vec![0; size * pitch];
+    for frame in 0..1 << frames_log2 {
+        for (i, item) in shuffled(features.len(), &mut rng).into_iter().enumerate() {
+            items[i / size * pitch + frame * size + i % size] = item;
+        }
+    }
     let mut field: Vec<Packed> = vec![[[0; 4]; LANES / 8]; items.len()];
     for pixel in 0..items.len() {
         window.splat(&mut field, size_log2, size, pixel, &pack(&features[items[pixel] as usize]), 1);
@@ -68,7 +90,7 @@ pub fn anneal(
     // 1 in 16.16 fixed point; after all phases a twentieth.
     let mut level = 1u64 << 16;
     for _ in 0..PHASES {
-        let turn = (rng.next_u64() >> (64 - size_log2)) as usize * size;
+        let turn = (rng.next_u64() >> (64 - size_log2)) as usize * pitch;
         items.rotate_left(turn);
         field.rotate_left(turn);
         let threshold = ((power * FIRST_THRESHOLD / 1000 * level) >> 16) as i32;
@@ -80,13 +102,14 @@ pub fn anneal(
         if halves == 1 {
             sweep(&mut items, &mut field, seeds[0]);
         } else {
-            let (items_a, items_b) = items.split_at_mut(rows * size);
-            let (field_a, field_b) = field.split_at_mut(rows * size);
+            let (items_a, items_b) = items.split_at_mut(rows * pitch);
+            let (field_a, field_b) = field.split_at_mut(rows * pitch);
             rayon::join(|| sweep(items_a, field_a, seeds[0]), || sweep(items_b, field_b, seeds[1]));
         }
         level = (level * 63_509) >> 16; // .05^(1/95)
     }
-    items
+    let frame = |t: usize| items.chunks(pitch).flat_map(move |rows| &rows[t * size..(t + 1) * size]);
+    (0..1 << frames_log2).flat_map(frame).copied().collect()
 }
 
 /// w(0)‖f‖², the mean over items: what a pixel alone would add.
@@ -120,18 +143,18 @@ impl Part<'_> {
     fn sweep(&mut self, threshold: i32, reach: u64, tries: usize, seed: u64) {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
         let mut pixels = self.by_value();
-        let count = pixels.len();
+        let (all, count) = (pixels.len(), pixels.len() >> self.window.frames_log2);
         let span = (count as u64 * reach) >> 17; // forwards only: half of what is within reach
         let screen = threshold * SCREEN;
         let mut tried = 0;
         while tried < tries {
             tried += 1;
             let bits = rng.next_u64();
-            let a = (((bits >> 32) * count as u64) >> 32) as usize;
+            let a = (((bits >> 32) * all as u64) >> 32) as usize;
             let step = (((bits & 0xffff_ffff) * span) >> 32) as usize + 1;
-            let b = if a + step < count { a + step } else { a + step - count };
+            let b = if a % count + step < count { a + step } else { a + step - count };
             let (p, q) = (pixels[a] as usize, pixels[b] as usize);
-            if near(p, q, self.size_log2, self.rows) {
+            if near(p, q, self.size_log2, self.window.frames_log2, self.rows) {
                 continue;
             }
             let (f_p, f_q) = (&self.features[self.items[p] as usize], &self.features[self.items[q] as usize]);
@@ -155,15 +178,17 @@ impl Part<'_> {
         }
     }
 
-    /// The pixels between the margins, in the order of their values.
-    fn by_value(&self) -> Vec<u16> {
-        let mut at = vec![u16::MAX; self.order.len()];
-        let mut pixel = self.margin << self.size_log2;
-        while pixel < (self.rows - self.margin) << self.size_log2 {
-            at[self.order[self.items[pixel] as usize] as usize] = pixel as u16;
+    /// The pixels between the margins, frame by frame in the order of their values.
+    fn by_value(&self) -> Vec<u32> {
+        let (row_log2, frames) = (self.size_log2 + self.window.frames_log2, 1 << self.window.frames_log2);
+        let mut at = vec![u32::MAX; self.order.len() * frames];
+        let mut pixel = self.margin << row_log2;
+        while pixel < (self.rows - self.margin) << row_log2 {
+            let frame = (pixel >> self.size_log2) & (frames - 1);
+            at[frame * self.order.len() + self.order[self.items[pixel] as usize] as usize] = pixel as u32;
             pixel += 1;
         }
-        at.retain(|&pixel| pixel != u16::MAX);
+        at.retain(|&pixel| pixel != u32::MAX);
         at
     }
 }
@@ -185,11 +210,12 @@ fn part(f_p: &[i32; 8], f_q: &[i32; 8], at_p: &[u64; 4], at_q: &[u64; 4]) -> i32
         + (f_q[7] - f_p[7]) * (word_3.wrapping_add(1 << 31) >> 32) as i32
 }
 
-fn pack(features: &Features) -> Packed {
-    let mut packed = [[0; 4]; LANES / 8];
+/// Two lanes a word.
+pub(super) fn pack<const ROWS: usize, T: Copy + Into<i64>>(features: &[[T; 8]; ROWS]) -> Words<ROWS> {
+    let mut packed = [[0; 4]; ROWS];
     let mut lane = 0;
-    while lane < LANES {
-        let (low, high) = (features[lane / 8][lane % 8], features[lane / 8][lane % 8 + 1]);
+    while lane < 8 * ROWS {
+        let [low, high]: [i64; 2] = [features[lane / 8][lane % 8].into(), features[lane / 8][lane % 8 + 1].into()];
         packed[lane / 8][lane % 8 / 2] = (low as u64).wrapping_add((high as u64) << 32);
         lane += 2;
     }
@@ -224,29 +250,37 @@ fn times<const ROWS: usize>(change: &Words<ROWS>, weight: i32) -> Words<ROWS> {
     product
 }
 
-/// Whether each pixel is in the other's window, on the torus of `rows` rows (or is the other).
-pub(super) fn near(p: usize, q: usize, size_log2: u32, rows: usize) -> bool {
-    let size = 1 << size_log2;
+/// Whether each pixel of a frame is in the other's window, on the torus of `rows` rows (or is the other).
+fn near(p: usize, q: usize, size_log2: u32, frames_log2: u32, rows: usize) -> bool {
+    let (size, row_log2) = (1 << size_log2, size_log2 + frames_log2);
     let dx = (p & (size - 1)).wrapping_sub(q & (size - 1)).wrapping_add(RADIUS) & (size - 1);
-    let dy = (p >> size_log2).wrapping_sub(q >> size_log2).wrapping_add(RADIUS) & (rows - 1);
+    let dy = (p >> row_log2).wrapping_sub(q >> row_log2).wrapping_add(RADIUS) & (rows - 1);
     dx <= 2 * RADIUS && dy <= 2 * RADIUS
 }
 
 /// The weights around a pixel, without the pixel itself.
 pub(super) struct Window {
-    /// Every weight that occurs, with the places where it does.
-    rings: Vec<(i32, Vec<[usize; 2]>)>,
+    /// Every weight that occurs, with the places where it does: right, down, and frames forwards.
+    rings: Vec<(i32, Vec<[usize; 3]>)>,
+    frames_log2: u32,
 }
 
 impl Window {
     pub(super) fn new(kernel: &[i32]) -> Self {
+        Self::over_time(kernel, &[], 0)
+    }
+
+    fn over_time(kernel: &[i32], time_kernel: &[i32], frames_log2: u32) -> Self {
         let ring = |r2: usize| {
             let side = 2 * RADIUS + 1;
             let places = (0..side * side).map(|i| [i % side, i / side]);
             let here = places.filter(|p| p[0].abs_diff(RADIUS).pow(2) + p[1].abs_diff(RADIUS).pow(2) == r2);
-            (kernel[r2], here.map(|p| p.map(|c| c.wrapping_sub(RADIUS))).collect::<Vec<_>>())
+            let steps = here.map(|[x, y]| [x.wrapping_sub(RADIUS), y.wrapping_sub(RADIUS), 0]);
+            (kernel[r2], steps.collect::<Vec<_>>())
         };
-        Self { rings: (1..kernel.len()).map(ring).filter(|ring| !ring.1.is_empty()).collect() }
+        let space = (1..kernel.len()).map(ring).filter(|ring| !ring.1.is_empty());
+        let in_time = |t: usize| (time_kernel[t], vec![[0, 0, t], [0, 0, t.wrapping_neg()]]);
+        Self { rings: space.chain((1..time_kernel.len()).map(in_time)).collect(), frames_log2 }
     }
 
     /// Adds `sign`·w·`change` to the field around a pixel.
@@ -259,15 +293,17 @@ impl Window {
         change: &Words<ROWS>,
         sign: i32,
     ) {
-        let mask = (1 << size_log2) - 1;
-        let (x, y) = (pixel & mask, pixel >> size_log2);
+        let (mask, frames, row_log2) =
+            ((1 << size_log2) - 1, (1 << self.frames_log2) - 1, size_log2 + self.frames_log2);
+        let (x, y, t) = (pixel & mask, pixel >> row_log2, pixel >> size_log2 & frames);
         for (weight, places) in &self.rings {
             let by = times(change, sign * weight);
             let mut i = 0;
             while i < places.len() {
-                let [dx, dy] = places[i];
+                let [dx, dy, dt] = places[i];
                 i += 1;
-                let cell = &mut field[(y.wrapping_add(dy) & (rows - 1)) << size_log2 | (x.wrapping_add(dx) & mask)];
+                let row = (y.wrapping_add(dy) & (rows - 1)) << row_log2 | (t.wrapping_add(dt) & frames) << size_log2;
+                let cell = &mut field[row | (x.wrapping_add(dx) & mask)];
                 let mut k = 0;
                 while k < ROWS {
                     let (to, by) = (&mut cell[k], &by[k]);

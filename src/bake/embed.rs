@@ -4,6 +4,7 @@
 use core::fmt::Write as _;
 
 use super::directions;
+use super::filter::Filter;
 use super::recipe::{Kind, Recipe};
 use super::retarget;
 use crate::effort::Effort;
@@ -16,34 +17,74 @@ pub fn effort(effort: Effort) -> String {
     )
 }
 
+/// The constant that says for which filter the filtered masks below were baked.
+pub fn filter(filter: Filter) -> String {
+    format!(
+        "/// The filter for which the `threshold-filtered` masks were baked, see `BLUEDITHER_FILTER`.\n\
+         pub const FILTER: &str = {:?};\n",
+        filter.name()
+    )
+}
+
+/// Frames that one `static` holds, of masks that would be above 128 KiB: larger ones cost the compiler much memory.
+const GROUP: usize = 4;
+
 /// One `static` of the table's type, with its docs.
 pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
-    match recipe.kind {
-        Kind::Retargeting => return retargeting(recipe, ranks),
-        Kind::OverTime => return over_time(recipe, effort, ranks),
-        _ => {}
-    }
-    let size = recipe.size();
-    let (what, mask) = match recipe.kind {
-        Kind::Threshold => ("Threshold mask (void-and-cluster)", format!("ScalarMask<{size}>")),
-        Kind::Offset1d => ("Offset mask of one channel", format!("ScalarMask<{size}>")),
-        Kind::Lattice => ("Shifts of a rank-1 lattice", format!("VectorMask<2, {size}>")),
-        Kind::OverTime | Kind::Retargeting => unreachable!("have texts of their own"),
-        Kind::Offset2d => ("Offset mask of two channels", format!("VectorMask<2, {size}>")),
-        Kind::Keys => ("Scrambling keys for any number of samples", format!("Keys<{size}>")),
-        Kind::Keys4 => ("Scrambling keys for 4 samples, and the first 1 and 2 of them", format!("Keys<{size}>")),
-        Kind::Keys16 => ("Scrambling keys for 16 samples, and the first 1 to 8 of them", format!("Keys<{size}>")),
+    let (size, frames) = (recipe.size(), recipe.frames());
+    let scalar = || format!("ScalarMask::<{size}>");
+    let vector = || format!("VectorMask::<2, {size}>");
+    let over_time = |mask| format!("crate::frames::masks::{mask}::<{size}, {frames}>");
+    let grouped = recipe.bytes() > 131_072 && frames > 1;
+    let groups = || format!("crate::frames::masks::LongTimeMask::<{size}, {GROUP}, {}>", frames / GROUP);
+    let keys = || format!("Keys::<{size}>");
+    let (what, made) = match recipe.kind {
+        Kind::Threshold => ("Threshold mask (void-and-cluster)", scalar()),
+        Kind::Offset1d => ("Offset mask of one channel", scalar()),
+        Kind::Offset2d => ("Offset mask of two channels", vector()),
+        Kind::OverTime if grouped => ("Threshold masks over time (void-and-cluster)", groups()),
+        Kind::OverTime => ("Threshold masks over time (void-and-cluster)", over_time("TimeMask")),
+        Kind::Offset2dOverTime => ("Offset masks of two channels over time", over_time("PairTimeMask")),
+        Kind::Filtered => ("Threshold mask for [`FILTER`]", scalar()),
+        Kind::FilteredOverTime => ("Threshold masks over time for [`FILTER`]", over_time("TimeMask")),
+        Kind::Retargeting => {
+            ("Swaps of seeds between two frames, for [`THRESHOLD_64`]", "crate::frames::seeds::Retargeting".into())
+        }
+        Kind::Lattice => ("Shifts of a rank-1 lattice", vector()),
+        Kind::Keys => ("Scrambling keys for any number of samples", keys()),
+        Kind::Keys4 => ("Scrambling keys for 4 samples, and the first 1 and 2 of them", keys()),
+        Kind::Keys16 => ("Scrambling keys for 16 samples, and the first 1 to 8 of them", keys()),
     };
-    let mut text = format!(
-        "/// {what}, {size}×{size} pixels, {} bytes, baked at {} effort.\n\
-         pub static {}: {mask} = {}::new([\n",
+    let several = if frames == 1 { String::new() } else { format!(", {frames} frames") };
+    let tiles = ranks.chunks(ranks.len() / frames).map(|tile| rows(recipe, tile));
+    let numbers = match recipe.kind {
+        Kind::OverTime if grouped => {
+            let group = |group: &[String]| {
+                let masks = list(group.iter().map(|tile| format!("ScalarMask::new({tile})")));
+                let made = format!("crate::frames::masks::TimeMask::<{size}, {GROUP}>");
+                format!("{{ static GROUP: {} = {made}::new({masks}); &GROUP }}", made.replace("::<", "<"))
+            };
+            list(tiles.collect::<Vec<_>>().chunks(GROUP).map(group))
+        }
+        Kind::OverTime | Kind::FilteredOverTime => list(tiles.map(|tile| format!("ScalarMask::new({tile})"))),
+        Kind::Offset2dOverTime => list(tiles.map(|tile| format!("VectorMask::new({tile})"))),
+        Kind::Retargeting => format!("{:?}, {}", retarget::STEP, tiles.collect::<String>()),
+        _ => tiles.collect(),
+    };
+    format!(
+        "/// {what}, {size}×{size} pixels{several}, {} bytes, baked at {} effort.\n\
+         pub static {}: {} = {made}::new({numbers});\n",
         recipe.bytes(),
         effort.name(),
         recipe.name().to_uppercase(),
-        mask.replace('<', "::<"),
-    );
-    for row in ranks.chunks(size * recipe.channels()) {
-        text.push('[');
+        made.replace("::<", "<"),
+    )
+}
+
+/// The array of a tile, a row a line.
+fn rows(recipe: Recipe, tile: &[u16]) -> String {
+    let row = |row: &[u16]| {
+        let mut text = String::from("\n[");
         for pixel in row.chunks(recipe.channels()) {
             match pixel {
                 [rank] => write!(text, "{rank},"),
@@ -51,48 +92,18 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
             }
             .expect("a String grows");
         }
-        text.push_str("],\n");
-    }
-    text.push_str("]);\n");
-    text
+        text + "]"
+    };
+    list(tile.chunks(recipe.size() * recipe.channels()).map(row))
 }
 
-/// One `static` of masks for several frames.
-fn over_time(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
-    let (size, frames) = (recipe.size(), recipe.frames());
-    let mut text = format!(
-        "/// Threshold masks over time (void-and-cluster), {size}×{size} pixels, {frames} frames, {} bytes, baked at {} \
-         effort.\n\
-         pub static {}: crate::frames::masks::TimeMask<{size}, {frames}> = crate::frames::masks::TimeMask::new([\n",
-        recipe.bytes(),
-        effort.name(),
-        recipe.name().to_uppercase(),
-    );
-    for frame in ranks.chunks(size * size) {
-        text.push_str("ScalarMask::new([\n");
-        for row in frame.chunks(size) {
-            writeln!(text, "{row:?},").expect("a String grows");
-        }
-        text.push_str("]),\n");
+fn list(items: impl Iterator<Item = String>) -> String {
+    let mut text = String::from("[");
+    for item in items {
+        text += &item;
+        text.push(',');
     }
-    text.push_str("]);\n");
-    text
-}
-
-/// The `static` of the swaps between seeds, with its docs.
-fn retargeting(recipe: Recipe, codes: &[u16]) -> String {
-    let mut text = format!(
-        "/// Swaps of seeds between two frames, for [`THRESHOLD_64`], {} bytes.\n\
-         pub static {}: crate::frames::seeds::Retargeting = crate::frames::seeds::Retargeting::new({:?}, [\n",
-        recipe.bytes(),
-        recipe.name().to_uppercase(),
-        retarget::STEP,
-    );
-    for row in codes.chunks(recipe.size()) {
-        writeln!(text, "{row:?},").expect("a String grows");
-    }
-    text.push_str("]);\n");
-    text
+    text + "]"
 }
 
 /// The `static` of the first `count` dimensions, with its docs.

@@ -8,6 +8,7 @@ use std::path::Path;
 use super::anneal::LANES;
 use super::digest::digest;
 use super::features::Column;
+use super::filter::Filter;
 use super::keys;
 use super::linear_order::LinearOrder;
 use super::record::{Digests, read_text};
@@ -31,6 +32,8 @@ pub struct Inputs {
     pub features_lattice: Vec<Column>,
     /// What keys begin with.
     pub linear_order: LinearOrder,
+    /// Not of a file: what the user says comes after the mask.
+    pub filter: Filter,
 }
 
 /// A list that is a formula: file name, number of entries, entry.
@@ -76,6 +79,7 @@ impl Inputs {
             features_keys: columns("features_keys", keys::PREFIXES.len() * keys::LANES)?,
             features_lattice: columns("features_lattice", LANES)?,
             linear_order: LinearOrder::read(tables)?,
+            filter: Filter::default(),
         })
     }
 }

@@ -24,7 +24,7 @@
 use rand::Rng;
 use rand::rngs::Xoshiro256PlusPlus;
 
-use super::anneal::{Window, Words, difference};
+use super::anneal::{Window, Words, difference, pack};
 use super::features::Column;
 use crate::linear::{self, Order, SETS, Sequence};
 
@@ -260,15 +260,4 @@ fn part(f: &[i16; 8], g: &[i16; 8], at: &[u64; 4]) -> i32 {
         + (g[5] - f[5]) as i32 * (at[2].wrapping_add(1 << 31) >> 32) as i32
         + (g[6] - f[6]) as i32 * at[3] as i32
         + (g[7] - f[7]) as i32 * (at[3].wrapping_add(1 << 31) >> 32) as i32
-}
-
-fn pack(features: &Features) -> Words<ROWS> {
-    let mut packed = [[0; 4]; ROWS];
-    let mut lane = 0;
-    while lane < LANES {
-        let (low, high) = (features[lane / 8][lane % 8], features[lane / 8][lane % 8 + 1]);
-        packed[lane / 8][lane % 8 / 2] = (low as u64).wrapping_add((high as u64) << 32);
-        lane += 2;
-    }
-    packed
 }

@@ -8,6 +8,7 @@ pub mod digest;
 pub mod directions;
 pub mod embed;
 pub mod features;
+pub mod filter;
 pub mod inputs;
 pub mod keys;
 pub mod linear_order;

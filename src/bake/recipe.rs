@@ -3,9 +3,12 @@
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 
+use super::features::{Column, Pattern};
+use super::filter::Filter;
 use super::inputs::Inputs;
 use super::linear_order::LinearOrder;
-use super::{anneal, features, keys, retarget, void_and_cluster};
+use super::void_and_cluster::{self, Window, void_and_cluster};
+use super::{anneal, features, keys, retarget};
 use crate::effort::Effort;
 use crate::linear;
 
@@ -20,6 +23,12 @@ pub enum Kind {
     Offset2d,
     /// A threshold mask for every frame of some, void-and-cluster in space and time.
     OverTime,
+    /// A threshold mask for the filter that comes after it.
+    Filtered,
+    /// The same for every frame of some, and a moving average.
+    FilteredOverTime,
+    /// An offset mask of two channels for every frame of some, annealed in space and time.
+    Offset2dOverTime,
     /// Swaps that take the threshold mask from one frame's place to the next one's.
     Retargeting,
     /// Scrambling keys, from the linear order of any number of samples.
@@ -46,6 +55,9 @@ const SHORT_KERNEL: usize = 37;
 /// 2²⁰·.7·exp(−t²/(2·1.5²)) at a distance of t frames. With 1 instead of .7, frames have a third more power at low
 /// frequencies; with a deviation of 1.9, successive frames differ less.
 pub const TIME_KERNEL: [i32; 6] = [734_003, 587_744, 301_758, 99_337, 20_967, 2_838];
+/// The same for offsets: 128·.7·exp(−t²/(2·1.5²)). With 1.7 instead of .7, frames have a tenth more error and the mean of
+/// 16 a twentieth less.
+pub const OFFSET_TIME_KERNEL: [i32; 4] = [90, 72, 37, 12];
 
 /// Every recipe; each is a feature of the crate.
 pub fn all() -> Vec<Recipe> {
@@ -57,7 +69,10 @@ pub fn all() -> Vec<Recipe> {
         .chain(sizes(Kind::Keys4, 6..=6))
         .chain(sizes(Kind::Keys16, 6..=6))
         .chain(sizes(Kind::Lattice, 6..=6))
-        .chain(sizes(Kind::OverTime, 5..=6))
+        .chain(sizes(Kind::OverTime, 5..=7))
+        .chain(sizes(Kind::Offset2dOverTime, 5..=6))
+        .chain(sizes(Kind::Filtered, 6..=6))
+        .chain(sizes(Kind::FilteredOverTime, 6..=6))
         .chain(sizes(Kind::Retargeting, 6..=6))
         .collect()
 }
@@ -68,16 +83,13 @@ impl Recipe {
         1 << self.size_log2
     }
 
-    /// Whether the table holds keys.
-    pub fn is_keys(self) -> bool {
-        matches!(self.kind, Kind::Keys | Kind::Keys4 | Kind::Keys16)
-    }
-
     /// 16-bit numbers a pixel, as baked.
     pub fn channels(self) -> usize {
         match self.kind {
-            Kind::Threshold | Kind::Offset1d | Kind::OverTime | Kind::Retargeting => 1,
-            _ => 2,
+            Kind::Threshold | Kind::Offset1d | Kind::OverTime => 1,
+            Kind::Filtered | Kind::FilteredOverTime | Kind::Retargeting => 1,
+            Kind::Offset2d | Kind::Offset2dOverTime | Kind::Lattice => 2,
+            Kind::Keys | Kind::Keys4 | Kind::Keys16 => 2,
         }
     }
 
@@ -87,9 +99,14 @@ impl Recipe {
         (self.kind != Kind::Retargeting).then_some(&numbers[..frame])
     }
 
-    /// log₂ of the number of frames: larger masks have fewer.
+    /// log₂ of the number of frames: as many as fit into 64 or 128 KiB, and of the largest mask the published 64.
     fn frames_log2(self) -> u32 {
-        if self.kind == Kind::OverTime { 10 - self.size_log2 } else { 0 }
+        match (self.kind, self.size_log2) {
+            (Kind::OverTime, 7) => 6,
+            (Kind::OverTime | Kind::FilteredOverTime, size_log2) => 10 - size_log2,
+            (Kind::Offset2dOverTime, size_log2) => 9 - size_log2,
+            _ => 0,
+        }
     }
 
     /// Number of frames.
@@ -97,13 +114,13 @@ impl Recipe {
         1 << self.frames_log2()
     }
 
-    /// Where its random numbers begin: fixed for each kind, whatever others come and go; two may share one.
+    /// Where its random numbers begin: fixed for each kind, whatever others come and go; some share one.
     pub fn seed(self) -> u64 {
         let kind = match self.kind {
-            Kind::Threshold | Kind::Retargeting => 0,
+            Kind::Threshold | Kind::Filtered | Kind::Retargeting => 0,
             Kind::Offset1d => 1,
-            Kind::Offset2d => 2,
-            Kind::OverTime | Kind::Keys => 3,
+            Kind::Offset2d | Kind::Offset2dOverTime => 2,
+            Kind::OverTime | Kind::FilteredOverTime | Kind::Keys => 3,
             Kind::Keys4 => 4,
             Kind::Keys16 => 5,
             Kind::Lattice => 6,
@@ -118,82 +135,103 @@ impl Recipe {
 
     /// As in `offset_2d_64`.
     pub fn name(self) -> String {
-        let kind = match self.kind {
-            Kind::OverTime => "threshold_over_time",
-            Kind::Retargeting => return "seed_permutation".into(),
-            Kind::Threshold => "threshold",
-            Kind::Offset1d => "offset_1d",
-            Kind::Offset2d => "offset_2d",
-            Kind::Lattice => "lattice",
-            Kind::Keys | Kind::Keys4 | Kind::Keys16 => "keys",
-        };
-        let spp = match self.kind {
-            Kind::Keys4 => "_spp_4",
-            Kind::Keys16 => "_spp_16",
-            _ => "",
-        };
-        format!("{kind}_{}{spp}", self.size())
+        let size = self.size();
+        match self.kind {
+            Kind::Threshold => format!("threshold_{size}"),
+            Kind::Offset1d => format!("offset_1d_{size}"),
+            Kind::Offset2d => format!("offset_2d_{size}"),
+            Kind::OverTime => format!("threshold_over_time_{size}"),
+            Kind::Offset2dOverTime => format!("offset_2d_over_time_{size}"),
+            Kind::Filtered => format!("threshold_filtered_{size}"),
+            Kind::FilteredOverTime => format!("threshold_filtered_over_time_{size}"),
+            Kind::Retargeting => "seed_permutation".into(),
+            Kind::Keys => format!("keys_{size}"),
+            Kind::Keys4 => format!("keys_{size}_spp_4"),
+            Kind::Keys16 => format!("keys_{size}_spp_16"),
+            Kind::Lattice => format!("lattice_{size}"),
+        }
+    }
+
+    /// Whether its digest is recorded: of masks for a filter of the user's own it is not.
+    pub fn is_recorded(self, inputs: &Inputs) -> bool {
+        !self.is_filtered() || inputs.filter == Filter::default()
+    }
+
+    /// Whether the filter is part of it.
+    pub fn is_filtered(self) -> bool {
+        matches!(self.kind, Kind::Filtered | Kind::FilteredOverTime)
+    }
+
+    /// The table that it is made of, if it is made of one.
+    pub fn base(self) -> Option<Self> {
+        (self.kind == Kind::Retargeting).then_some(Self { kind: Kind::Threshold, ..self })
+    }
+
+    /// What [`bake`](Self::bake) makes, from the ranks of its [`base`](Self::base).
+    pub fn derive(self, base: &[u16]) -> Vec<u16> {
+        match self.kind {
+            Kind::Retargeting => retarget::retargeting(base),
+            _ => base.to_vec(),
+        }
     }
 
     /// The ranks, 0..S²−1, row by row, channels interleaved; of keys the upper 16 digits of both numbers.
     pub fn bake(self, effort: Effort, inputs: &Inputs) -> Vec<u16> {
-        if self.kind == Kind::Retargeting {
-            let mask = Self { kind: Kind::Threshold, ..self };
-            return retarget::retargeting(&mask.bake(effort, inputs));
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(self.seed());
+        let sizes = [self.size_log2, self.frames_log2()];
+        let kernel = &inputs.void_and_cluster_kernel[..];
+        match self.kind {
+            Kind::Threshold => void_and_cluster(self.size_log2, kernel, &mut rng),
+            Kind::OverTime => {
+                let point = |&weight: &i32| Window::new(0, |_, _| weight);
+                let mut windows: Vec<Window> = TIME_KERNEL.iter().map(point).collect();
+                windows[0] = Window::round(&kernel[..SHORT_KERNEL]);
+                void_and_cluster::over_time(sizes, &windows, &mut rng)
+            }
+            Kind::Filtered => void_and_cluster::over_time(sizes, &[inputs.filter.still()], &mut rng),
+            Kind::FilteredOverTime => {
+                void_and_cluster::over_time(sizes, &inputs.filter.over_time(self.frames_log2()), &mut rng)
+            }
+            Kind::Retargeting => self.derive(&void_and_cluster(self.size_log2, kernel, &mut rng)),
+            Kind::Offset1d => self.bake_offsets(Pattern::Regular, &inputs.features_1d, effort, inputs),
+            Kind::Offset2d | Kind::Offset2dOverTime => {
+                self.bake_offsets(Pattern::Sobol, &inputs.features_2d, effort, inputs)
+            }
+            Kind::Lattice => self.bake_offsets(Pattern::Lattice, &inputs.features_lattice, effort, inputs),
+            // Ranks below the number of samples do not change their set.
+            Kind::Keys => self.bake_keys(6, linear::ORDERS - 1, effort, inputs),
+            Kind::Keys4 => self.bake_keys(2, 2, effort, inputs),
+            Kind::Keys16 => self.bake_keys(4, 4, effort, inputs),
         }
-        let seed = self.seed();
-        if self.kind == Kind::OverTime {
-            return void_and_cluster::over_time(
-                self.size_log2,
-                self.frames_log2(),
-                &inputs.void_and_cluster_kernel[..SHORT_KERNEL],
-                &TIME_KERNEL,
-                &mut Xoshiro256PlusPlus::seed_from_u64(seed),
-            );
-        }
-        if self.kind == Kind::Threshold {
-            let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-            return void_and_cluster::void_and_cluster(self.size_log2, &inputs.void_and_cluster_kernel, &mut rng);
-        }
-        if self.is_keys() {
-            return self.bake_keys(effort, inputs, seed);
-        }
-        let (pattern, columns) = match self.kind {
-            Kind::Offset1d => (features::Pattern::Regular, &inputs.features_1d),
-            Kind::Lattice => (features::Pattern::Lattice, &inputs.features_lattice),
-            _ => (features::Pattern::Sobol, &inputs.features_2d),
-        };
+    }
+
+    fn bake_offsets(self, pattern: Pattern, columns: &[Column], effort: Effort, inputs: &Inputs) -> Vec<u16> {
         let set = features::value_set(self.channels(), self.size_log2);
         let vectors = features::vectors(&set, pattern, self.size_log2, columns, &inputs.cosine);
+        let (time_kernel, share) = match self.kind {
+            Kind::Offset2dOverTime => (&OFFSET_TIME_KERNEL[..], 2),
+            _ => (&[][..], 1),
+        };
         let proposals = match effort {
             Effort::Quick => 50,
-            Effort::Normal => 400,
-            Effort::Thorough => 20_000,
+            Effort::Normal => 400 / share,
+            Effort::Thorough => 20_000 / share,
         };
-        let items = anneal::anneal(
-            self.size_log2,
+        let items = anneal::over_time(
+            [self.size_log2, self.frames_log2()],
             &vectors,
             &features::value_order(&set),
             &inputs.anneal_kernel,
+            time_kernel,
             proposals,
-            seed,
+            self.seed(),
         );
         items.iter().flat_map(|&item| set[usize::from(item)][..self.channels()].to_vec()).collect()
     }
 
-    fn bake_keys(self, effort: Effort, inputs: &Inputs, seed: u64) -> Vec<u16> {
-        // Ranks below the number of samples do not change their set.
-        let ranks_log2 = match self.kind {
-            Kind::Keys4 => 2,
-            Kind::Keys16 => 4,
-            _ => 6,
-        };
-        let order = match self.kind {
-            Kind::Keys => linear::ORDERS - 1,
-            _ => ranks_log2 as usize,
-        };
+    fn bake_keys(self, ranks_log2: u32, order: usize, effort: Effort, inputs: &Inputs) -> Vec<u16> {
         let LinearOrder { sequence, orders } = &inputs.linear_order;
-        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(self.seed());
         let digits = keys::linear_digits(&orders[order], self.size_log2, &mut rng);
         let points = keys::points(&linear::Sequence::new(sequence), 1 << ranks_log2);
         let mut vectors = Vec::new();

@@ -8,9 +8,10 @@
 //! Ulichney's third phase (clusters of the minority of zeros) picks the same pixels as filling voids, since the two
 //! fields add up to a constant.
 //!
-//! Over time there is a tile for every frame. Neighbours in time are the same pixel's, so a one is felt over its own
-//! tile and by its own pixel in the tiles around (Wolfe and others 2022). Each step is taken once in every tile, so that all
-//! of them hold every rank once; the last frame stands before the first.
+//! Over time there is a tile for every frame, and a window of weights for every distance in time: of one pixel if a one
+//! is felt over its own tile and by its own pixel in the tiles around (Wolfe and others 2022), wider if frames are
+//! filtered together. Each step is taken once in every tile, so that all of them hold every rank once; the last frame
+//! stands before the first.
 //!
 //! The field is a sum of integer kernel weights, so it never drifts and ties are real; the first pixel wins them.
 
@@ -30,20 +31,14 @@ fn initial_ones(area: usize) -> usize {
 ///
 /// `kernel[r²]` is the weight at squared distance r², zero past its end.
 pub fn void_and_cluster(size_log2: u32, kernel: &[i32], rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
-    over_time(size_log2, 0, kernel, &[], rng)
+    over_time([size_log2, 0], &[Window::round(kernel)], rng)
 }
 
-/// The same of 2^`frames_log2` tiles, one after the other; `time_kernel[t]` is the weight at t frames' distance, and that
-/// at 0 is not read.
-pub fn over_time(
-    size_log2: u32,
-    frames_log2: u32,
-    kernel: &[i32],
-    time_kernel: &[i32],
-    rng: &mut Xoshiro256PlusPlus,
-) -> Vec<u16> {
+/// The same of 2^`frames_log2` tiles, one after the other; `windows[t]` are the weights at t frames' distance, forwards
+/// and backwards, of which there is at least the first. All of them together stay below 2²⁹.
+pub fn over_time([size_log2, frames_log2]: [u32; 2], windows: &[Window], rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
     let (area, frames) = (1usize << (2 * size_log2), 1usize << frames_log2);
-    let mut space = Space { window: Window::new(kernel), time_kernel, size_log2, field: vec![0; area * frames] };
+    let mut space = Space { windows, size_log2, field: vec![0; area * frames] };
     let ones = initial_ones(area);
 
     for frame in 0..frames {
@@ -105,8 +100,7 @@ fn whose_turn(turn: usize, rank: usize, frames_log2: u32) -> usize {
 
 /// What every pixel of every tile feels of the ones.
 struct Space<'a> {
-    window: Window,
-    time_kernel: &'a [i32],
+    windows: &'a [Window],
     size_log2: u32,
     /// Tile by tile.
     field: Vec<i32>,
@@ -117,62 +111,87 @@ impl Space<'_> {
         &self.field[frame << (2 * self.size_log2)..(frame + 1) << (2 * self.size_log2)]
     }
 
-    /// Adds (`sign` = 1) or takes away (−1) a one. Frames fewer than the kernel wrap: it repeats, too.
+    /// Adds (`sign` = 1) or takes away (−1) a one. Frames fewer than the windows wrap: these repeat, too.
     fn splat(&mut self, frame: usize, pixel: usize, sign: i32) {
         let area = 1 << (2 * self.size_log2);
-        self.window.splat(&mut self.field[frame * area..(frame + 1) * area], self.size_log2, pixel, sign);
-        let last = self.field.len() - 1;
-        let mut distance = 1;
-        while distance < self.time_kernel.len() {
-            let weight = sign * self.time_kernel[distance];
-            let place = frame * area + pixel;
-            self.field[place.wrapping_add(distance * area) & last] += weight;
-            self.field[place.wrapping_sub(distance * area) & last] += weight;
+        let last = self.field.len() / area - 1;
+        let mut distance = 0;
+        while distance < self.windows.len() {
+            let after = frame.wrapping_add(distance) & last;
+            self.windows[distance].splat(
+                &mut self.field[after * area..(after + 1) * area],
+                self.size_log2,
+                pixel,
+                sign,
+            );
+            if distance > 0 {
+                let before = frame.wrapping_sub(distance) & last;
+                let tile = &mut self.field[before * area..(before + 1) * area];
+                self.windows[distance].splat(tile, self.size_log2, pixel, sign);
+            }
             distance += 1;
         }
+        self.field[frame * area + pixel] += sign * ONE;
     }
 }
 
-/// The kernel as a square of weights around a pixel.
-struct Window {
+/// Weights around a pixel, row by row; each row from its first to its last that is not 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Window {
     radius: usize,
+    /// Of every row the part of `weights`, which begins this far from the left end of the square.
+    rows: Vec<[usize; 3]>,
     weights: Vec<i32>,
 }
 
 impl Window {
-    fn new(kernel: &[i32]) -> Self {
+    /// `kernel[r²]` is the weight at squared distance r².
+    pub fn round(kernel: &[i32]) -> Self {
         let radius = (kernel.len() - 1).isqrt();
-        let side = 2 * radius + 1;
-        let mut weights = vec![0; side * side];
-        for (i, weight) in weights.iter_mut().enumerate() {
-            let (dx, dy) = ((i % side).abs_diff(radius), (i / side).abs_diff(radius));
-            *weight = kernel.get(dx * dx + dy * dy).copied().unwrap_or(0);
-        }
-        Self { radius, weights }
+        Self::new(radius, |dx, dy| kernel.get(dx * dx + dy * dy).copied().unwrap_or(0))
     }
 
-    /// Adds (`sign` = 1) or takes away (−1) a one in a tile. One smaller than the window wraps: the kernel repeats, too.
+    /// The weight of every distance along x and y, 0..=`radius` each.
+    pub fn new(radius: usize, weight: impl Fn(usize, usize) -> i32) -> Self {
+        let (mut rows, mut weights) = (Vec::new(), Vec::new());
+        for y in 0..=2 * radius {
+            let row: Vec<i32> = (0..=2 * radius).map(|x| weight(x.abs_diff(radius), y.abs_diff(radius))).collect();
+            let first = row.iter().position(|&weight| weight != 0).unwrap_or(radius);
+            rows.push([first, weights.len(), weights.len() + row.len() - 2 * first]);
+            weights.extend(&row[first..row.len() - first]);
+        }
+        Self { radius, rows, weights }
+    }
+
+    /// Adds or takes away in a tile. One smaller than the window wraps: the kernel repeats, too.
     fn splat(&self, field: &mut [i32], size_log2: u32, pixel: usize, sign: i32) {
         let mask = (1usize << size_log2) - 1;
         let (x, y) = (pixel & mask, pixel >> size_log2);
-        let side = 2 * self.radius + 1;
-        // A slice, and sums that cannot be negative: unoptimised, a `Vec`'s index and `wrapping_add` are calls.
-        let weights: &[i32] = &self.weights;
+        // Sums that cannot be negative, and slices: unoptimised, `wrapping_add` and a `Vec`'s index are calls.
         let wraps = (self.radius | mask) + 1 - self.radius;
         let (left, top) = (x + wraps, y + wraps);
-        let mut w = 0;
+        let rows: &[[usize; 3]] = &self.rows;
         let mut j = 0;
-        while j < side {
+        while j < rows.len() {
+            let [first, begin, end] = rows[j];
+            let (weights, start) = (&self.weights[begin..end], (left + first) & mask);
             let row = ((top + j) & mask) << size_log2;
-            let mut i = 0;
-            while i < side {
-                field[row | ((left + i) & mask)] += sign * weights[w];
-                w += 1;
-                i += 1;
-            }
             j += 1;
+            if start + weights.len() <= mask + 1 {
+                let cells = &mut field[row | start..(row | start) + weights.len()];
+                let mut i = 0;
+                while i < weights.len() {
+                    cells[i] += sign * weights[i];
+                    i += 1;
+                }
+            } else {
+                let mut i = 0;
+                while i < weights.len() {
+                    field[row | ((start + i) & mask)] += sign * weights[i];
+                    i += 1;
+                }
+            }
         }
-        field[pixel] += sign * ONE;
     }
 }
 

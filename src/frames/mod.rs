@@ -1,10 +1,21 @@
 //! Over time: what a renderer that shows frame after frame can do beyond the samplers' `frame` argument.
 //!
-//! Each part sits behind a feature of its own, off by default. Patents of others are reported on spatiotemporal
-//! blue-noise masks, and may touch the rest: have that checked before you ship it. The `frame` argument, which moves
-//! look-ups and seeds anew, is not concerned.
+//! | you have | take | table |
+//! |---|---|---|
+//! | anything: the default | the samplers' `frame`: frames average as independent ones do, each as blue as the first | |
+//! | a threshold or one number a pixel, and frames that are averaged | [`TimeMask`](masks::TimeMask), feature `threshold-over-time-64` | 128 KiB |
+//! | the same, seamless and without a loop for a second | [`LongTimeMask`](masks::LongTimeMask), `threshold-over-time-128` | 2 MiB |
+//! | pairs of numbers, one sample a frame | [`PairTimeMask`](masks::PairTimeMask), `offset-2d-over-time-64` | 128 KiB |
+//! | one of the first two, and a filter that you know | [`masks`], `threshold-filtered-64`, `threshold-filtered-over-time-64` | 8, 128 KiB |
+//! | paths of many dimensions, a picture that is smooth and moves little | `seeds`, `seed-permutation` | 16 KiB |
+//!
+//! A mask over time costs a look-up, as a still one does; frames of it shown without any average have up to a third more error
+//! than those of a still one.
+//!
+//! Tables over time sit behind features of their own, off by default. Patents of others are reported on spatiotemporal
+//! blue-noise masks, and may touch the rest, filters over time and seed permutation: have that checked before you ship
+//! it. The `frame` argument, which moves look-ups and seeds anew, is not concerned.
 
-#[cfg(any(feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
 pub mod masks;
 #[cfg(feature = "seed-permutation")]
 pub mod seeds;
