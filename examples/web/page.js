@@ -156,8 +156,8 @@ class Page {
 function missing(why) {
     byId("app").hidden = true;
     byId("missing").hidden = false;
-    byId("missing").textContent = `${why} Recent versions of Chrome, Edge, Safari and Firefox have it; on some systems it is `
-        + "to be switched on in their settings.";
+    byId("missing").textContent = `${why} Recent versions of Chrome, Edge, Safari and Firefox have it; on some systems `
+        + "it is to be switched on in their settings.";
 }
 
 byId("version").textContent = DATA.version;
