@@ -1,5 +1,5 @@
-// How far an image is from the reference: root mean square over pixels and channels, as it is and after a Gaussian of one
-// pixel. Images are sums of samples, four numbers a pixel, and in the fourth how many.
+// How far an image is from the reference: root mean square over pixels and channels, as it is and after a Gaussian of
+// one pixel. Images are sums of samples, four numbers a pixel, and in the fourth how many.
 
 function difference(image, reference) {
     const out = new Float32Array(image.length / 4 * 3);

@@ -53,13 +53,22 @@ class Gpu {
         return this.tables.get(sampler.word);
     }
 
-    // The scene's shader, for one sampler: its functions, its tables, and its word in the scene.
+    // The scene's shader, for one sampler: its functions, its tables, and its word in the scene. Said in full, since a
+    // table that the scene happens not to read would be missing in an automatic layout.
     pipeline(sampler) {
         if (!this.pipelines.has(sampler.word)) {
             const code = sampler.wgsl + DATA.scene.replaceAll("SAMPLER", sampler.word);
             const module = this.device.createShaderModule({ code });
+            const kinds = sampler.tables.map(({ binding }) => [binding, "read-only-storage"]);
+            kinds.push([13, "read-only-storage"], [14, "uniform"], [15, "storage"]);
+            const entries = kinds.map(([binding, type]) => {
+                return { binding, visibility: GPUShaderStage.COMPUTE, buffer: { type } };
+            });
+            const layout = this.device.createPipelineLayout({
+                bindGroupLayouts: [this.device.createBindGroupLayout({ entries })],
+            });
             const compute = { module, entryPoint: "render" };
-            this.pipelines.set(sampler.word, this.device.createComputePipeline({ layout: "auto", compute }));
+            this.pipelines.set(sampler.word, this.device.createComputePipeline({ layout, compute }));
         }
         return this.pipelines.get(sampler.word);
     }

@@ -141,7 +141,7 @@ class Page {
         const { width, height } = this;
         const images = [this.reference, this.whiteImage, ...this.sides.map(side => side.image)];
         const [reference, base, ...found] = await Promise.all(images.map(image => this.gpu.read(image)));
-        if (width !== this.width || this.known < REFERENCE_SAMPLES) {
+        if (this.stale) {
             return; // another picture by now
         }
         const unit = errors(base, reference, width, height);
@@ -156,8 +156,8 @@ class Page {
 function missing(why) {
     byId("app").hidden = true;
     byId("missing").hidden = false;
-    byId("missing").textContent = `${why} Recent versions of Chrome, Edge, Safari and Firefox have it; on some systems it is `
-        + "to be switched on in their settings.";
+    byId("missing").textContent = `${why} Recent versions of Chrome, Edge, Safari and Firefox have it; on some systems `
+        + "it is to be switched on in their settings.";
 }
 
 byId("version").textContent = DATA.version;

@@ -132,7 +132,8 @@ fn lit(point: vec3<f32>, hit: Hit, light: vec2<f32>) -> vec3<f32> {
 }
 
 fn sky(way: vec3<f32>) -> vec3<f32> {
-    return mix(vec3<f32>(0.66, 0.68, 0.70), vec3<f32>(0.22, 0.34, 0.52), smoothstep(-0.05, 0.5, way.y));
+    let height = smoothstep(-0.05, 0.5, way.y);
+    return mix(vec3<f32>(0.66, 0.68, 0.70), vec3<f32>(0.22, 0.34, 0.52), height);
 }
 
 fn nearest(ray: Ray) -> Hit {
@@ -143,7 +144,8 @@ fn nearest(ray: Ray) -> Hit {
         if dot(point.xz, point.xz) < 1600.0 {
             let tiles = floor(point.xz * 0.6);
             let odd = abs(tiles.x + tiles.y) % 2.0;
-            hit = Hit(distance, vec3<f32>(0.0, 1.0, 0.0), mix(vec3<f32>(0.46, 0.45, 0.43), vec3<f32>(0.60, 0.58, 0.55), odd), 0.0);
+            let albedo = mix(vec3<f32>(0.46, 0.45, 0.43), vec3<f32>(0.60, 0.58, 0.55), odd);
+            hit = Hit(distance, vec3<f32>(0.0, 1.0, 0.0), albedo, 0.0);
         }
     }
     for (var k = 0u; k < arrayLength(&balls); k++) {

@@ -62,8 +62,8 @@ fn table(table: &Table) -> String {
 /// Columns of every order, and the points.
 fn linear_order() -> String {
     let mut text = String::from(
-        "/* What the bits of x and of y add, in turn, upper 16 digits of both numbers: eight sets for each of 1, 2, 4, ..., 256\n \
-         * samples a pixel, and for any number. */\n\
+        "/* What the bits of x and of y add, in turn, upper 16 digits of both numbers: eight sets for each of 1, 2, 4,\n \
+         * ..., 256 samples a pixel, and for any number. */\n\
          static const uint32_t bd_linear_orders[10][8][10] = {\n",
     );
     for order in LINEAR_ORDER.known.iter().chain([&LINEAR_ORDER.progressive]) {

@@ -1,5 +1,5 @@
-//! Every function of the header gives the bits of the library's: compiled by the C compiler of this machine, in strict C99
-//! and as C++, included in several translation units, and called with random and extreme arguments.
+//! Every function of the header gives the bits of the library's: compiled by the C compiler of this machine, in strict
+//! C99 and as C++, included in several translation units, and called with random and extreme arguments.
 
 use crate::{c, tables};
 use bluedither::tables as library;

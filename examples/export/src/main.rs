@@ -9,6 +9,8 @@
 //! `--features keys-64`, or `--all-features` for all there are.
 
 mod arguments;
+#[cfg(all(test, feature = "all"))]
+mod browser;
 mod c;
 #[cfg(all(test, feature = "all"))]
 mod c_checks;

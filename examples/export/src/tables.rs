@@ -70,6 +70,7 @@ impl Table {
 
 /// All tables that this build has, and the names of the others.
 fn inventory() -> (Vec<Table>, Vec<&'static str>) {
+    #[allow(unused_mut, reason = "without features there are none")]
     let mut built = Vec::new();
     #[allow(unused_mut, reason = "with all features there are no others")]
     let mut others = Vec::new();
