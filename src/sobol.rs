@@ -126,10 +126,11 @@ pub const fn directions(a: u32, m: &[u32]) -> [u32; 32] {
         v[k] = if k < s {
             m[k] << (31 - k)
         } else {
-            let mut next = v[k - s] ^ (v[k - s] >> s);
+            // Inside anyway: the masks leave no check that could panic.
+            let mut next = v[(k - s) & 31] ^ (v[(k - s) & 31] >> s);
             let mut j = 1;
             while j < s {
-                next ^= (a >> (s - 1 - j) & 1) * v[k - j];
+                next ^= (a >> (s - 1 - j) & 1) * v[(k - j) & 31];
                 j += 1;
             }
             next

@@ -1,9 +1,9 @@
 //! Where fixed point becomes a float, and what takes floats.
 
 use crate::fold;
-use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
 #[cfg(feature = "float")]
 use bluedither::Dither;
+use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
 use bluedither::{Sampler, ZOrder, hash, unit, warp};
 
 pub(crate) fn samplers() -> u32 {

@@ -60,7 +60,8 @@ fn fold(words: impl IntoIterator<Item = u32>) -> u32 {
 /// One row of 400 pixels of grey to 1 bit, for counting instructions; the first byte.
 #[inline(never)]
 pub fn one_row(y: u32, source: &[u8; 400], bits: &mut [u8; 50]) -> u8 {
-    match Dither::blue(&THRESHOLD_64).gray1_row(y, source, bits) {
+    const BLUE: Dither<'_> = Dither::blue(&THRESHOLD_64);
+    match BLUE.gray1_row(y, source, bits) {
         Ok(()) => bits[0],
         Err(_) => 0,
     }

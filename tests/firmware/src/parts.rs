@@ -47,7 +47,8 @@ pub(crate) fn offsets() -> u32 {
 pub(crate) fn masks() -> u32 {
     let ranks: [u16; 16] = core::array::from_fn(|k| hash::mix(k as u32) as u16 >> 12);
     let scalar = ScalarMask::<4>::from_slice(&ranks).map_or(0, |mask| mask.value_fx(7, 9));
-    let vector = VectorMask::<2, 4>::from_slice(&ranks.map(|rank| [rank; 2])).map_or([0; 2], |mask| mask.value_fx(7, 9));
+    let vector =
+        VectorMask::<2, 4>::from_slice(&ranks.map(|rank| [rank; 2])).map_or([0; 2], |mask| mask.value_fx(7, 9));
     let keys = Keys::<4>::from_slice(&ranks.map(|rank| [rank; 2])).map_or([0; 2], |keys| keys.key(7, 9));
     let refused = ScalarMask::<4>::from_slice(&ranks[1..]).is_none();
     let own = [scalar, vector[0], vector[1], keys[0], keys[1], u32::from(refused)];

@@ -41,9 +41,8 @@ fn main() -> Result<(), String> {
 /// The cost of each call, in their order.
 fn measured(input: &str) -> Result<Vec<Cost>, String> {
     let line = |key: &str| {
-        let mut words = input.lines().map(str::split_whitespace).find_map(|mut line| {
-            (line.next() == Some(key)).then_some(line)
-        })?;
+        let mut words =
+            input.lines().map(str::split_whitespace).find_map(|mut line| (line.next() == Some(key)).then_some(line))?;
         let mut number = || words.next()?.parse::<u32>().ok();
         Some(([number()?, number()?, number()?], number()?))
     };
@@ -64,9 +63,10 @@ fn measured(input: &str) -> Result<Vec<Cost>, String> {
 }
 
 fn table(costs: &[Cost]) -> String {
-    let rows = CALLS.iter().zip(costs).map(|(call, [code, constants, stack])| {
-        format!("| {} | {code} | {constants} | {stack} |\n", call.name)
-    });
+    let rows = CALLS
+        .iter()
+        .zip(costs)
+        .map(|(call, [code, constants, stack])| format!("| {} | {code} | {constants} | {stack} |\n", call.name));
     let head = "| call | code | constants | stack |\n|---|---:|---:|---:|\n".to_string();
     rows.fold(head, |table, row| table + &row)
 }

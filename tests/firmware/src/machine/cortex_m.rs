@@ -17,14 +17,7 @@ global_asm!(
 
 // The float unit is off after a reset: full access to coprocessors 10 and 11.
 #[cfg(target_abi = "eabihf")]
-global_asm!(
-    "ldr r0, =0xe000ed88",
-    "ldr r1, [r0]",
-    "orr r1, r1, #0xf00000",
-    "str r1, [r0]",
-    "dsb",
-    "isb",
-);
+global_asm!("ldr r0, =0xe000ed88", "ldr r1, [r0]", "orr r1, r1, #0xf00000", "str r1, [r0]", "dsb", "isb",);
 
 global_asm!("bl main_on_metal", ".pool");
 

@@ -2,7 +2,13 @@
 
 use core::fmt::{self, Write};
 
-core::arch::global_asm!(".section .first, \"ax\"", ".global _start", "_start:", "la sp, _stack_top", "call main_on_metal");
+core::arch::global_asm!(
+    ".section .first, \"ax\"",
+    ".global _start",
+    "_start:",
+    "la sp, _stack_top",
+    "call main_on_metal"
+);
 
 struct Serial;
 
