@@ -60,6 +60,11 @@ pub fn animate(count: u32, arguments: &Arguments) -> Result<(), Box<dyn Error>> 
         }
     }
     println!("written to {}: paths-*.png, animated", arguments.out.display());
+    #[cfg(feature = "threshold-over-time-64")]
+    {
+        save(&crate::ways::pictures(count), &arguments.out.join("ways.png"))?;
+        println!("and ways.png, frames above and their moving average below: {}", crate::ways::NAMES);
+    }
     Ok(())
 }
 

@@ -39,6 +39,8 @@ mod samplers;
 mod scene;
 mod shapes;
 mod sheet;
+#[cfg(all(feature = "seed-permutation", feature = "threshold-over-time-64"))]
+mod ways;
 
 fn main() -> ExitCode {
     let arguments = arguments::Arguments::parse();

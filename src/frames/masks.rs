@@ -83,7 +83,7 @@ impl<const S: usize, const T: usize, const G: usize> LongTimeMask<S, T, G> {
     #[inline]
     #[must_use]
     pub const fn frame(&self, frame: u32) -> &ScalarMask<S> {
-        self.groups[frame as usize / T & (G - 1)].frame(frame)
+        self.groups[(frame as usize / T) & (G - 1)].frame(frame)
     }
 
     /// All masks, group by group.

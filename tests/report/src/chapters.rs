@@ -10,6 +10,7 @@ use crate::speed::{self, Speeds};
 use crate::table::Table;
 use crate::{
     builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, singles,
+    time_part,
 };
 
 /// The page's chapters, and files of numbers beside their tables.
@@ -68,6 +69,11 @@ pub fn measure(arguments: &Arguments) -> Report {
             "One sample a pixel and frame, over white noise, which starts anew in every frame. The mean of so many frames; \
              and the moving average that temporal filters keep, which takes a fifth of every new frame.",
             animation(all_of(1), arguments.quick, error),
+        );
+        add(
+            "Ways through time",
+            "What can be done with a mask, with best candidates and with seeds from frame to frame.",
+            time_part::tables(seed, arguments.quick),
         );
     }
     if arguments.has(Part::Classic) {

@@ -37,6 +37,8 @@ mod masks_part;
 #[allow(dead_code, reason = "the example uses the rest")]
 mod measure;
 mod page;
+#[path = "../../../examples/render/paths.rs"]
+mod paths;
 mod peers;
 mod plot;
 mod power;
@@ -58,6 +60,7 @@ mod shapes;
 mod singles;
 mod speed;
 mod table;
+mod time_part;
 #[cfg(test)]
 mod unbiased;
 #[path = "../../../src/bake/void_and_cluster.rs"]
