@@ -98,7 +98,8 @@ fn to_glsl(module: &naga::Module, info: &ModuleInfo, language: Language, entry: 
         binding_map: bound.map(|binding| (binding, number(binding))).collect(),
         zero_initialize_workgroup_memory: true,
     };
-    let entry = module.entry_points.iter().find(|point| point.name == entry).ok_or(format!("no entry point {entry}"))?;
+    let entry =
+        module.entry_points.iter().find(|point| point.name == entry).ok_or(format!("no entry point {entry}"))?;
     let pipeline =
         glsl::PipelineOptions { shader_stage: entry.stage, entry_point: entry.name.clone(), multiview: None };
     let mut text = String::new();
