@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# The shaders on a device and in the compilers of others. Installs, as root, what is missing of: a Vulkan device in
-# software, SPIR-V and GLSL tools, node, Dawn for node.
+# The shaders on a device and in the compilers of others: every function a million times against Rust; what naga makes of
+# them, by the reference tools; and the WGSL by Tint, which Chromium has. Missing packages are installed, for which it has
+# to be root on Debian: a Vulkan device in software, the tools, node, and Dawn for node by npm.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-/tmp} # which the device asks for
 out=$CARGO_TARGET_DIR/shaders
+dawn=$CARGO_TARGET_DIR/dawn
 
 # Prints the seconds of a part.
 part() {
@@ -16,13 +18,11 @@ part() {
 }
 
 installed() {
-    local missing=()
-    command -v spirv-val >/dev/null || missing+=(spirv-tools)
-    command -v glslangValidator >/dev/null || missing+=(glslang-tools)
-    command -v npm >/dev/null || missing+=(nodejs npm)
-    ls /usr/share/vulkan/icd.d/*.json >/dev/null 2>&1 || missing+=(mesa-vulkan-drivers)
-    ldconfig -p | grep -q libvulkan.so.1 || missing+=(libvulkan1)
-    [ ${#missing[@]} -eq 0 ] || { apt-get -qq update && apt-get -qq install -y --no-install-recommends "${missing[@]}"; } >/dev/null
+    local packages=(libvulkan1 mesa-vulkan-drivers spirv-tools glslang-tools)
+    command -v npm >/dev/null || packages+=(nodejs npm)
+    tests/packages.sh "${packages[@]}"
+    # Tint comes in the package of Dawn.
+    npm install --prefix "$dawn" --no-audit --no-fund --no-save --silent webgpu@0.6
 }
 
 # What the million calls of each function spend their time in is optimised; wgpu is not, which halves the build.
@@ -38,7 +38,7 @@ accepted() {
     for file in "$out"/*"$ending"; do
         "$@" "$file" >"$out/log" 2>&1 || { echo "$* refuses $file:"; head -n 5 "$out/log"; refused=1; }
     done
-    return $refused
+    return "$refused"
 }
 
 reference_tools() {
@@ -61,3 +61,4 @@ part "functions on the device" "$CARGO_TARGET_DIR/debug/gpu"
 rm -rf "$out"
 part "translating" "$CARGO_TARGET_DIR/debug/gpu" --out "$out"
 part "reference tools" reference_tools
+part "Tint" node tests/gpu/tint.mjs "$out" "$dawn"

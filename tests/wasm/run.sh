@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Runs the checksums of tests/firmware as WebAssembly in node and on this machine, and compares. Missing packages are
+# installed, for which it has to be root on Debian.
+set -euo pipefail
+cd "$(dirname "$0")"
+export BLUEDITHER_EFFORT=quick # the same tables on both sides
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-../../target}/firmware
+packages=(rustc-web cargo-web rust-web-src rust-web-llvm lld-22)
+command -v node >/dev/null || packages+=(nodejs)
+../packages.sh "${packages[@]}"
+
+# The standard library is built from source, by the compiler that its source is of.
+export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1
+export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld-22
+(cd ../firmware && /usr/bin/cargo build --quiet --release --bin host)
+/usr/bin/cargo build --quiet --release -Zbuild-std=core,compiler_builtins --target wasm32-unknown-unknown
+diff <("$CARGO_TARGET_DIR/release/host") <(node run.mjs "$CARGO_TARGET_DIR/wasm32-unknown-unknown/release/wasm.wasm") ||
+    { echo "WebAssembly differs from this machine"; exit 1; }
+echo "WebAssembly: $("$CARGO_TARGET_DIR/release/host" | wc -l) families as on this machine"
