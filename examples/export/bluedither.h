@@ -698,4 +698,6 @@ BD_CALL_SHAPE(bd_white)
 /* ---- tables ---- */
 
 @tables@
+#undef BD_CALL_SHAPE
+
 #endif /* BLUEDITHER_H */

@@ -15,6 +15,7 @@ const FLAGS: &[&str] = &[
     "--use-angle=swiftshader",
     "--enable-features=Vulkan",
     "--use-vulkan=swiftshader",
+    "--disable-dev-shm-usage",
     "--disable-quic",
     "--no-first-run",
     "--disable-background-networking",

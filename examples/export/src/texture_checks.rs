@@ -78,6 +78,17 @@ fn keys_are_digits() {
     }
 }
 
+/// What the manifest says is what the library's own record says.
+#[test]
+fn digests_are_as_recorded() {
+    let recorded = include_str!("../../../tables/digests.txt");
+    for table in tables::named(&[]).expect("all tables").iter().filter(|table| table.kind != Kind::Directions) {
+        let digest = table.digest().expect("it is baked");
+        let line = format!("{} {} {digest:016x}", library::EFFORT.name(), table.identifier());
+        assert!(recorded.lines().any(|recorded| recorded == line), "{line}");
+    }
+}
+
 #[test]
 fn unknown_tables_are_refused_with_a_cure() {
     let line = tables::named(&["threshold-65".into()]).expect_err("there is none");

@@ -18,7 +18,8 @@ pub fn write(table: &Table, folder: &mut Folder) -> Result<(), String> {
     let stem = format!("textures/{}", table.name);
     let (size, channels) = (format!("{} x {}", table.width, table.rows()), table.channels());
     let (raw, bits) = raw(table);
-    folder.write(&format!("{stem}.bin"), &format!("{size}, {channels} channels of {bits} bits, raw"), &raw)?;
+    let numbers = if channels == 2 { "pairs" } else { "numbers" };
+    folder.write(&format!("{stem}.bin"), &format!("{size}, raw, {numbers} of {bits} bits"), &raw)?;
     if table.is_mask() || table.kind == Kind::Keys {
         let kind = if channels == 2 { "RGB, blue is 0" } else { "grey" };
         folder.write(
@@ -26,7 +27,8 @@ pub fn write(table: &Table, folder: &mut Folder) -> Result<(), String> {
             &format!("{size}, 16 bits, {kind}"),
             &png(table, &values_16(table))?,
         )?;
-        let layers = format!("{} x {}, {} layers", table.width, table.width, table.frames());
+        let layers = if table.frames() > 1 { format!(", {} layers", table.frames()) } else { String::new() };
+        let layers = format!("{} x {}{layers}", table.width, table.rows() / table.frames());
         let format = if channels == 2 { "R16G16_UNORM" } else { "R16_UNORM" };
         folder.write(&format!("{stem}.dds"), &format!("{layers}, {format}"), &dds(table, &values_16(table))?)?;
         if table.is_mask() {

@@ -15,6 +15,9 @@ const ENTRY: &str = "
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let call = id.x;";
 
+/// From the words of the arguments to those of the results.
+type Rust = Box<dyn Fn(&[u32], &mut [u32])>;
+
 /// A function of words, by name `a`, `b`, `c`, … in the WGSL.
 pub struct Case {
     pub parts: Parts,
@@ -23,7 +26,7 @@ pub struct Case {
     results: usize,
     /// One expression, after statements that it needs. A vector for more than one result.
     pub expression: &'static str,
-    rust: Box<dyn Fn(&[u32], &mut [u32])>,
+    rust: Rust,
     ways: &'static [Way],
 }
 

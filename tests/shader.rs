@@ -1,0 +1,184 @@
+//! The shaders' texts as such, and the words of their tables. What the functions return is compared by `tests/gpu`.
+
+use std::collections::BTreeSet;
+
+use bluedither::shader::{self, Parts, Table};
+use bluedither::tables::{LINEAR_ORDER, OFFSET_2D_64, THRESHOLD_64};
+use bluedither::{ScalarMask, VectorMask};
+
+const PARTS: [(&str, Parts); 32] = [
+    ("unit", shader::UNIT),
+    ("wide", shader::WIDE),
+    ("hash", shader::HASH),
+    ("torus", shader::TORUS),
+    ("sobol", shader::SOBOL),
+    ("directions", shader::DIRECTIONS),
+    ("lattice", shader::LATTICE),
+    ("linear", shader::LINEAR),
+    ("zorder", shader::ZORDER),
+    ("strata", shader::STRATA),
+    ("shift", shader::SHIFT),
+    ("mask/mod", shader::MASK),
+    ("mask/scalar", shader::SCALAR),
+    ("mask/vector", shader::VECTOR),
+    ("keys", shader::KEYS),
+    ("keys_2019", shader::KEYS_2019),
+    ("sampler/mod", shader::DOMAIN),
+    ("sampler/linear", shader::SAMPLER),
+    ("sampler/zorder", shader::Z_ORDER),
+    ("sampler/keyed", shader::KEYED),
+    ("sampler/rank1", shader::RANK1),
+    ("sampler/dithered", shader::DITHERED),
+    ("sampler/white", shader::WHITE),
+    ("sampler/constant", shader::CONSTANT),
+    ("dither/quantise", shader::QUANTISE),
+    ("dither/ordered", shader::ORDERED),
+    ("dither/gamma", shader::GAMMA),
+    ("dither/alpha", shader::ALPHA),
+    ("dither/mod", shader::DITHER),
+    ("frames/masks", shader::OVER_TIME),
+    ("frames/seeds", shader::SEEDS),
+    ("frames/seeds_pass", shader::SEEDS_PASS),
+];
+
+const TABLES: [Table; 12] = [
+    shader::LINEAR_ORDER,
+    shader::SCALAR_MASK,
+    shader::VECTOR_MASK,
+    shader::LATTICE_MASK,
+    shader::KEYS_TILE,
+    shader::DIRECTION_NUMBERS,
+    shader::TIME_MASK,
+    shader::LINEAR_LIGHT,
+    shader::SEED_SWAPS,
+    shader::SOBOL_2019,
+    shader::SCRAMBLING_2019,
+    shader::RANKING_2019,
+];
+
+/// Text without comments.
+fn code(text: &str) -> String {
+    text.lines().map(|line| line.split("//").next().unwrap_or_default().to_string() + "\n").collect()
+}
+
+/// All names in it.
+fn names(text: &str) -> BTreeSet<String> {
+    let pieces = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    pieces.filter(|name| !name.is_empty()).map(String::from).collect()
+}
+
+/// Names that it declares at module scope.
+fn declared(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for line in text.lines() {
+        let line = line.split("//").next().unwrap_or_default();
+        for keyword in ["fn ", "struct ", "const "] {
+            if let Some(rest) = line.strip_prefix(keyword) {
+                found.extend(names(rest.split(['(', ' ', ':']).next().unwrap_or_default()));
+            }
+        }
+        if let Some((_, rest)) = line.split_once("var<").filter(|_| !line.starts_with(' ')) {
+            let name = rest.split_once('>').map_or("", |(_, rest)| rest.trim().split(':').next().unwrap_or_default());
+            found.extend(names(name));
+        }
+    }
+    found
+}
+
+/// What a table's text declares, and its sizes.
+fn given_by_tables() -> BTreeSet<String> {
+    let texts = TABLES.iter().flat_map(|table| [table.storage, table.size(64)]);
+    texts.flat_map(declared).chain(["BD_OVER_TIME_FRAMES".to_string()]).collect()
+}
+
+#[test]
+fn every_part_holds_all_that_it_needs() {
+    let given = given_by_tables();
+    for (name, parts) in PARTS {
+        let text: String = parts.texts().map(code).collect();
+        let declared: BTreeSet<String> = declared(&text).into_iter().collect();
+        let missing: Vec<String> = names(&text)
+            .into_iter()
+            .filter(|used| used.starts_with("bd_") || used.starts_with("BD_"))
+            .filter(|used| !declared.contains(used) && !given.contains(used))
+            .collect();
+        assert!(missing.is_empty(), "{name} lacks {missing:?}");
+    }
+}
+
+#[test]
+fn parts_are_named_after_their_files_and_come_last() {
+    for (name, parts) in PARTS {
+        assert_eq!(parts.names().last(), Some(name));
+    }
+    assert_eq!(shader::ALL.names().collect::<Vec<_>>(), PARTS.map(|(name, _)| name));
+}
+
+#[test]
+fn what_is_pasted_clashes_with_nothing() {
+    let tables: String = TABLES.iter().map(|table| table.storage).collect();
+    let text: String = shader::ALL.texts().map(code).chain([tables]).collect();
+    let all = declared(&text);
+    let different: BTreeSet<&String> = all.iter().collect();
+    assert_eq!(all.len(), different.len(), "a name is declared twice");
+    for name in all {
+        assert!(name.starts_with("bd_") || name.starts_with("BD_"), "{name} may be a user's own");
+    }
+}
+
+#[test]
+fn tables_have_bindings_of_their_own() {
+    let numbers: BTreeSet<u32> = TABLES.iter().map(|table| table.binding).collect();
+    assert_eq!(numbers.len(), TABLES.len());
+    for table in TABLES {
+        for text in [table.storage, table.texture] {
+            assert!(text.contains(&format!("@group(0) @binding({})", table.binding)), "{text}");
+        }
+    }
+}
+
+#[test]
+fn sizes_are_written_as_the_text_reads_them() {
+    for (side, log2) in [(0, 0), (1, 0), (2, 1), (64, 6), (100, 6), (256, 8), (usize::MAX, 8)] {
+        assert_eq!(shader::SCALAR_MASK.size(side), format!("const BD_SCALAR_LOG2 = {log2}u;\n"));
+    }
+    assert_eq!(shader::DIRECTION_NUMBERS.size(1024), "const BD_DIRECTIONS_COUNT = 1024u;\n");
+    assert_eq!(shader::LINEAR_ORDER.size(64), "");
+}
+
+#[test]
+fn parts_are_pasted_once() {
+    let both = shader::SAMPLER.and(shader::DITHER).and(shader::SAMPLER);
+    let names: Vec<&str> = both.names().collect();
+    assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len());
+    let either: BTreeSet<&str> = shader::SAMPLER.names().chain(shader::DITHER.names()).collect();
+    assert_eq!(names.into_iter().collect::<BTreeSet<_>>(), either);
+}
+
+#[test]
+fn words_are_little_endian_bytes() {
+    let bytes = |words: Vec<u32>| words.into_iter().flat_map(u32::to_le_bytes).collect::<Vec<_>>();
+    let scalar = THRESHOLD_64.ranks().as_flattened().iter().flat_map(|rank| rank.to_le_bytes());
+    assert_eq!(bytes(shader::scalar_words(&THRESHOLD_64).collect()), scalar.collect::<Vec<_>>());
+    let vector = OFFSET_2D_64.ranks().as_flattened().as_flattened().iter().flat_map(|rank| rank.to_le_bytes());
+    assert_eq!(bytes(shader::vector_words(&OFFSET_2D_64).collect()), vector.collect::<Vec<_>>());
+    assert_eq!(bytes(shader::byte_words(&[1, 2, 3, 4, 5]).collect()), [1, 2, 3, 4, 5, 0, 0, 0]);
+    // Padded to whole words.
+    assert_eq!(shader::scalar_words(&ScalarMask::new([[0]])).collect::<Vec<_>>(), [0]);
+    assert_eq!(shader::vector_words(&VectorMask::new([[[7, 9]]])).collect::<Vec<_>>(), [9 << 16 | 7]);
+}
+
+#[test]
+fn the_linear_order_is_laid_out_as_its_shader_reads_it() {
+    let words: Vec<u32> = shader::linear_order_words().collect();
+    assert_eq!(words.len(), 912);
+    let sets = LINEAR_ORDER.known.as_flattened().iter().chain(&LINEAR_ORDER.progressive);
+    assert_eq!(&words[..800], sets.copied().collect::<Vec<_>>().as_flattened());
+    let long = |i: usize| u64::from(words[i + 1]) << 32 | u64::from(words[i]);
+    for index_rev in [0, 1, 0x1234_5678, u32::MAX, 0xf000_0000, 0x0080_0000] {
+        let nibbles = [index_rev >> 28, 16 + (index_rev >> 24 & 15)].map(|k| long(800 + 2 * k as usize));
+        let singles = (0..24).filter(|k| index_rev >> (23 - k) & 1 == 1).map(|k| long(864 + 2 * k));
+        let sum = nibbles.into_iter().chain(singles).fold(0, |sum, word| sum ^ word);
+        assert_eq!(sum, LINEAR_ORDER.sequence.packed_rev(index_rev));
+    }
+}
