@@ -7,8 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 root=${CARGO_TARGET_DIR:-$PWD/target}/foreign
 mkdir -p "$root"
-tests/packages.sh rustc-web cargo-web rust-web-src rust-web-llvm qemu-user-static gcc-arm-linux-gnueabihf \
-    libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
+tests/packages.sh foreign
 
 features=bytemuck,float,gamma,keys-64,lattice-64,offset-1d-64,offset-2d-64,pattern,seed-permutation,sobol-16,sobol-64
 features+=,threshold-16,threshold-32,threshold-64,threshold-over-time-32,warp
