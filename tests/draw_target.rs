@@ -69,7 +69,7 @@ fn every_way_to_draw_gives_the_same() {
 #[test]
 fn greys_on_displays_of_colours() {
     let area = Rectangle::new(Point::new(1, 2), Size::new(9, 9));
-    let [mut gray, mut rgb] = [MockDisplay::<Rgb565>::new(), MockDisplay::new()];
+    let (mut gray, mut rgb) = (MockDisplay::<Rgb565>::new(), MockDisplay::<Rgb565>::new());
     let colors = (0..81).map(|k| 3 * k);
     let mut screen = DitherTarget::new(&mut gray, BAYER_4);
     screen.fill_contiguous(&area, colors.clone().map(Gray8::new)).expect("infallible");

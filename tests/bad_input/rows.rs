@@ -56,7 +56,7 @@ pub(crate) fn run(input: &mut Input<'_>) {
 
 /// What a row of so many samples must return, if pixels have so many channels and the row takes so many numbers.
 fn due(samples: usize, channels: usize, needed: usize, given: usize) -> Result<(), RowError> {
-    if samples % channels != 0 {
+    if !samples.is_multiple_of(channels) {
         return Err(RowError::PartOfAPixel { samples, channels });
     }
     if given < needed { Err(RowError::TooShort { needed, given }) } else { Ok(()) }
