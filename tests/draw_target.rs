@@ -65,6 +65,19 @@ fn every_way_to_draw_gives_the_same() {
     }
 }
 
+/// A grey on a display of colours is what the RGB of that grey is.
+#[test]
+fn greys_on_displays_of_colours() {
+    let area = Rectangle::new(Point::new(1, 2), Size::new(9, 9));
+    let (mut gray, mut rgb) = (MockDisplay::<Rgb565>::new(), MockDisplay::<Rgb565>::new());
+    let colors = (0..81).map(|k| 3 * k);
+    let mut screen = DitherTarget::new(&mut gray, BAYER_4);
+    screen.fill_contiguous(&area, colors.clone().map(Gray8::new)).expect("infallible");
+    let mut screen = DitherTarget::new(&mut rgb, BAYER_4);
+    screen.fill_contiguous(&area, colors.map(|k| Rgb888::new(k, k, k))).expect("infallible");
+    gray.assert_eq(&rgb);
+}
+
 #[test]
 fn black_white_and_what_lies_outside() {
     let mut display = MockDisplay::<BinaryColor>::new();
@@ -77,6 +90,13 @@ fn black_white_and_what_lies_outside() {
     screen.fill_solid(&Rectangle::new(Point::zero(), Size::zero()), Rgb888::BLACK).expect("infallible");
     screen.draw_iter([Pixel(Point::new(-5, i32::MIN), Rgb888::WHITE)]).expect("infallible");
     assert!((0..64 * 64).all(|p| display.get_pixel(Point::new(p % 64, p / 64)) == Some(BinaryColor::On)));
+    let mut screen = DitherTarget::new(&mut display, Dither::random(3));
+    // Beyond the largest coordinate, to which only the display's last rows and columns belong.
+    let huge = Rectangle::new(Point::new(32, 32), Size::new(u32::MAX, u32::MAX));
+    screen.fill_solid(&huge, Rgb888::BLACK).expect("infallible");
+    let at = |p: i32| Point::new(p % 64, p / 64);
+    let lit = |p| BinaryColor::from(at(p).x < 32 || at(p).y < 32);
+    assert!((0..64 * 64).all(|p| display.get_pixel(at(p)) == Some(lit(p))));
     let mut screen = DitherTarget::new(&mut display, Dither::random(3));
     screen.clear(Rgb888::BLACK).expect("infallible");
     assert!((0..64 * 64).all(|p| display.get_pixel(Point::new(p % 64, p / 64)) == Some(BinaryColor::Off)));

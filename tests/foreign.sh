@@ -7,13 +7,12 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 root=${CARGO_TARGET_DIR:-$PWD/target}/foreign
 mkdir -p "$root"
-tests/packages.sh rustc-web cargo-web rust-web-src rust-web-llvm qemu-user-static gcc-arm-linux-gnueabihf \
-    libc6-dev-armhf-cross gcc-s390x-linux-gnu libc6-dev-s390x-cross
+tests/packages.sh foreign
 
 features=bytemuck,float,gamma,keys-64,lattice-64,offset-1d-64,offset-2d-64,pattern,seed-permutation,sobol-16,sobol-64
 features+=,threshold-16,threshold-32,threshold-64,threshold-over-time-32,warp
 dropped='clap|embedded-graphics|glam|image|indicatif|png'
-files=(call_shape casts controls directions dither hash keys_2019 lattice linear mask pattern rank1 rebake sizes sobol
+files=(bad_input call_shape casts controls directions dither hash keys_2019 lattice linear mask pattern rank1 rebake sizes sobol
     strata torus unit warp zorder)
 if [ "${1:-}" = --all ]; then
     features+=,embedded-graphics
@@ -26,8 +25,8 @@ fi
 # A copy without the examples and what they depend on: that is most of what would be built.
 copy=$root/crate
 rm -rf "$copy" && mkdir -p "$copy/tests"
-cp -r Cargo.toml Cargo.lock build.rs src tables README.md "$copy"
-cp -r tests/*.rs tests/analysis tests/common tests/dither "$copy/tests"
+cp -rp Cargo.toml Cargo.lock build.rs src tables README.md "$copy"
+cp -rp tests/*.rs tests/analysis tests/bad_input tests/common tests/dither "$copy/tests"
 sed -i -E "/^\[dev-dependencies\]/,/^\[/ { /^($dropped) = /d }; /^members = /d; /^default-members = /d" "$copy/Cargo.toml"
 awk '/^\[\[example\]\]/ { skip = 1; next } /^\[/ { skip = 0 } !skip' "$copy/Cargo.toml" >"$root/Cargo.toml"
 mv "$root/Cargo.toml" "$copy/Cargo.toml"

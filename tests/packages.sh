@@ -1,10 +1,19 @@
 #!/usr/bin/env bash
-# Installs those of the named Debian packages that are missing; a line says so where that cannot be done.
+# Installs the Debian packages that the named scripts need and this machine lacks; one line says so where that fails.
 set -euo pipefail
+rust="rustc-web cargo-web rust-web-src rust-web-llvm" # with the source of the standard library, to build it for others
 missing=()
-for package in "$@"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q ' installed$' || missing+=("$package")
+for script in "$@"; do
+    case $script in
+        firmware) needed="$rust lld-22 qemu-system-arm qemu-system-misc" ;;
+        foreign) needed="$rust qemu-user-static gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-s390x-linux-gnu
+            libc6-dev-s390x-cross" ;;
+        *) echo "'$script' needs no packages: firmware and foreign do" >&2 && exit 1 ;;
+    esac
+    for package in $needed; do
+        dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q ' installed$' || missing+=("$package")
+    done
 done
 [ ${#missing[@]} -gt 0 ] || exit 0
 { apt-get update -qq && apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >/dev/null ||
-    { echo "These Debian packages are needed: ${missing[*]}" >&2; exit 1; }
+    { echo "these Debian packages are needed, and only root can install them: ${missing[*]}" >&2; exit 1; }

@@ -6,6 +6,7 @@ use core::fmt;
 
 /// What keeps a row from being dithered. Nothing has been written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum RowError {
     /// The source does not hold whole pixels of so many channels.
     PartOfAPixel {

@@ -5,13 +5,13 @@
 //! Circle::new(Point::zero(), 64).into_styled(PrimitiveStyle::with_fill(Rgb888::CSS_CORAL)).draw(&mut screen)?;
 //! ```
 //!
-//! Colours that are drawn are [`Rgb888`] or [`Gray8`]; grey displays take the luma of RGB. Nothing is read back and
-//! nothing stored: every pixel is dithered at its own place, so that parts drawn at different times fit.
+//! Colours that are drawn are [`Rgb888`] or [`Gray8`]; grey displays take the luma of RGB, and a grey is drawn on colour
+//! displays as the RGB that is as bright. Nothing is read back and nothing stored: every pixel is dithered at its own place, so that parts drawn at different times fit.
 
 use super::Dither;
 use embedded_graphics_core::Pixel;
 use embedded_graphics_core::draw_target::DrawTarget;
-use embedded_graphics_core::geometry::{Dimensions, Point};
+use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
     RgbColor,
@@ -19,7 +19,7 @@ use embedded_graphics_core::pixelcolor::{
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 
 /// A colour that can be dithered from colours of type `C`.
-pub trait From8Bit<C: PixelColor>: PixelColor {
+pub trait DitheredFrom<C: PixelColor>: PixelColor {
     /// The colour of the pixel at (x, y).
     fn dithered(color: C, x: u32, y: u32, dither: &Dither<'_>) -> Self;
 }
@@ -45,7 +45,7 @@ impl<D: DrawTarget, C> Dimensions for DitherTarget<'_, '_, D, C> {
     }
 }
 
-impl<D: DrawTarget<Color: From8Bit<C>>, C: PixelColor> DrawTarget for DitherTarget<'_, '_, D, C> {
+impl<D: DrawTarget<Color: DitheredFrom<C>>, C: PixelColor> DrawTarget for DitherTarget<'_, '_, D, C> {
     type Color = C;
     type Error = D::Error;
 
@@ -63,14 +63,28 @@ impl<D: DrawTarget<Color: From8Bit<C>>, C: PixelColor> DrawTarget for DitherTarg
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), D::Error> {
         let dither = self.dither;
         // A solid area is cut to the display: an area may be as large as its numbers allow.
-        let area = area.intersection(&self.display.bounding_box());
+        let area = common(*area, self.display.bounding_box());
         self.display.fill_contiguous(&area, area.points().map(|at| at_point(color, at, &dither)))
     }
 }
 
+/// What two areas have in common. `Rectangle::intersection` takes no areas that end beyond the largest coordinate.
+fn common(a: Rectangle, b: Rectangle) -> Rectangle {
+    let (left, width) = overlap([a.top_left.x, b.top_left.x], [a.size.width, b.size.width]);
+    let (top, height) = overlap([a.top_left.y, b.top_left.y], [a.size.height, b.size.height]);
+    Rectangle::new(Point::new(left, top), Size::new(width, height))
+}
+
+/// Start and length of what two intervals have in common.
+fn overlap(starts: [i32; 2], lengths: [u32; 2]) -> (i32, u32) {
+    let [a, b] = [0, 1].map(|k: usize| i64::from(starts[k]) + i64::from(lengths[k]));
+    let start = starts[0].max(starts[1]);
+    (start, u32::try_from(a.min(b) - i64::from(start)).unwrap_or(0))
+}
+
 /// Coordinates may be negative: thresholds repeat there as well.
 #[expect(clippy::cast_sign_loss, reason = "wraps")]
-fn at_point<C: PixelColor, T: From8Bit<C>>(color: C, at: Point, dither: &Dither<'_>) -> T {
+fn at_point<C: PixelColor, T: DitheredFrom<C>>(color: C, at: Point, dither: &Dither<'_>) -> T {
     T::dithered(color, at.x as u32, at.y as u32, dither)
 }
 
@@ -89,14 +103,14 @@ fn luma(color: Rgb888) -> Gray8 {
 
 macro_rules! grays {
     ($($gray:ident: $levels:literal, |$level:ident| $make:expr;)*) => {$(
-        impl From8Bit<Gray8> for $gray {
+        impl DitheredFrom<Gray8> for $gray {
             fn dithered(color: Gray8, x: u32, y: u32, dither: &Dither<'_>) -> Self {
                 let $level = level(dither, x, y, 0, color.luma(), $levels);
                 $make
             }
         }
 
-        impl From8Bit<Rgb888> for $gray {
+        impl DitheredFrom<Rgb888> for $gray {
             fn dithered(color: Rgb888, x: u32, y: u32, dither: &Dither<'_>) -> Self {
                 Self::dithered(luma(color), x, y, dither)
             }
@@ -112,7 +126,7 @@ grays! {
 
 macro_rules! colors {
     ($($color:ident)*) => {$(
-        impl From8Bit<Rgb888> for $color {
+        impl DitheredFrom<Rgb888> for $color {
             fn dithered(color: Rgb888, x: u32, y: u32, dither: &Dither<'_>) -> Self {
                 let channel = |k, value, max: u8| level(dither, x, y, k, value, u16::from(max) + 1);
                 Self::new(
@@ -120,6 +134,13 @@ macro_rules! colors {
                     channel(1, color.g(), Self::MAX_G),
                     channel(2, color.b(), Self::MAX_B),
                 )
+            }
+        }
+
+        impl DitheredFrom<Gray8> for $color {
+            fn dithered(color: Gray8, x: u32, y: u32, dither: &Dither<'_>) -> Self {
+                let luma = color.luma();
+                Self::dithered(Rgb888::new(luma, luma, luma), x, y, dither)
             }
         }
     )*};
