@@ -11,7 +11,7 @@ mod bake;
 
 use analysis::SIGMAS;
 use analysis::error::ErrorImage;
-use analysis::integrands::{Integrand2, evaluation_half_plane_2d, evaluation_smooth_2d};
+use analysis::integrands::{Integrand2, evaluation_half_plane_2d, evaluation_smooth_2d, half_plane_2d, smooth_2d};
 use analysis::random::Random;
 use bake::recipe::{Kind, Recipe};
 use bluedither::{Keyed, Keys, Rank1, VectorMask, White, effort, lattice, linear, sobol, strata, unit};
@@ -23,8 +23,16 @@ const SIZE: usize = 64;
 type Figures = [[f64; 2]; 2];
 
 fn figures(spp: u32, sample: impl Fn(u32, u32, u32) -> [u32; 2]) -> Figures {
+    figures_of([evaluation_smooth_2d(), evaluation_half_plane_2d()], spp, sample)
+}
+
+fn figures_of(
+    [smooth, half_planes]: [Vec<Integrand2>; 2],
+    spp: u32,
+    sample: impl Fn(u32, u32, u32) -> [u32; 2],
+) -> Figures {
     let white = [101, 102].map(|seed| move |x, y, index| White::new(seed).pixel(x, y, 0).draw_fx::<2>(0, index));
-    let families = [(evaluation_smooth_2d(), true), (evaluation_half_plane_2d(), false)];
+    let families = [(smooth, true), (half_planes, false)];
     families.map(|(family, normalised)| {
         let mut sums = [[0.0; 2]; 2];
         for integrand in &family {
@@ -77,6 +85,25 @@ fn check_keys(kind: Kind, effort: Effort, rows: &[(u32, [f64; 2])]) {
 fn keys_at_normal_effort() {
     check_keys(Kind::Keys, Effort::Normal, &[(1, [0.44, 0.59]), (4, [0.44, 0.635])]);
     check_keys(Kind::Keys4, Effort::Normal, &[(4, [0.31, 0.60])]);
+}
+
+/// The weights of the keys' prefixes were picked while looking at the evaluation's integrands: on others, which were drawn
+/// for this test alone, the keys do as well.
+#[test]
+fn keys_do_as_well_on_integrands_that_nobody_looked_at() {
+    const FRESH: u64 = 0x0f4e_5400;
+    let keys = Keys::<SIZE>::from_slice(&pairs(&baked(Kind::Keys, Effort::Normal))).expect("one for every pixel");
+    let sampler = Keyed::with_keys(&keys, 7);
+    for spp in [1, 4, 16] {
+        let sample = |x, y, i| sampler.pixel(x, y, 1).draw_fx::<2>(3, i);
+        let smooth = (0..8).flat_map(|draw| smooth_2d(FRESH + draw)).collect();
+        let fresh = figures_of([smooth, half_plane_2d(FRESH + 100)], spp, sample);
+        let known = figures(spp, sample);
+        println!("{spp} spp: W on fresh integrands {fresh:.3?}, on those of all figures {known:.3?}");
+        for (fresh, known) in fresh.as_flattened().iter().zip(known.as_flattened()) {
+            assert!(*fresh < 1.1 * known, "{spp} spp: {fresh:.3} instead of {known:.3}");
+        }
+    }
 }
 
 #[test]
