@@ -2,13 +2,18 @@
 # Installs the Debian packages that the named scripts need and this machine lacks; one line says so where that fails.
 set -euo pipefail
 rust="rustc-web cargo-web rust-web-src rust-web-llvm" # with the source of the standard library, to build it for others
+vulkan="libvulkan1 mesa-vulkan-drivers"               # a device in software
+tools="spirv-tools glslang-tools"
 missing=()
 for script in "$@"; do
     case $script in
         firmware) needed="$rust lld-22 qemu-system-arm qemu-system-misc" ;;
         foreign) needed="$rust qemu-user-static gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-s390x-linux-gnu
             libc6-dev-s390x-cross" ;;
-        *) echo "'$script' needs no packages: firmware and foreign do" >&2 && exit 1 ;;
+        wasm) needed="$rust lld-22 $(command -v node >/dev/null || echo nodejs)" ;;
+        shaders) needed="$vulkan $tools $(command -v npm >/dev/null || echo nodejs npm)" ;;
+        export) needed="$vulkan $tools gcc g++ chromium chromium-driver" ;;
+        *) echo "'$script' needs no packages: firmware, foreign, wasm, shaders and export do" >&2 && exit 1 ;;
     esac
     for package in $needed; do
         dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q ' installed$' || missing+=("$package")

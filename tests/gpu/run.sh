@@ -18,9 +18,7 @@ part() {
 }
 
 installed() {
-    local packages=(libvulkan1 mesa-vulkan-drivers spirv-tools glslang-tools)
-    command -v npm >/dev/null || packages+=(nodejs npm)
-    tests/packages.sh "${packages[@]}"
+    tests/packages.sh shaders
     # Tint comes in the package of Dawn.
     npm install --prefix "$dawn" --no-audit --no-fund --no-save --silent webgpu@0.6
 }

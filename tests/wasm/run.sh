@@ -5,9 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 export BLUEDITHER_EFFORT=quick # the same tables on both sides
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-../../target}/firmware
-packages=(rustc-web cargo-web rust-web-src rust-web-llvm lld-22)
-command -v node >/dev/null || packages+=(nodejs)
-../packages.sh "${packages[@]}"
+../packages.sh wasm
 
 # The standard library is built from source, by the compiler that its source is of.
 export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1
