@@ -1,7 +1,7 @@
 //! A full-screen pass that draws its random numbers by `Sampler`, written to a PNG: what a user of wgpu copies.
 //!
 //! ```text
-//! cargo run -p gpu --example full_screen -- soft_shadow.png
+//! cargo run -p gpu --example full_screen -- target/full_screen.png
 //! ```
 //!
 //! A lamp above a floor, and a ball that keeps its light off: one sample of the lamp a pixel, as white noise on the left
