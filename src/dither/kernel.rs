@@ -16,7 +16,7 @@ type Bias<T, const C: usize> = [[T; C]; RUN];
 
 impl Dither<'_> {
     /// Whether one run of thresholds serves the whole row.
-    const fn repeats(&self) -> bool {
+    pub(super) const fn repeats(&self) -> bool {
         match self.thresholds {
             Thresholds::Constant(_) => true,
             Thresholds::Random(_) => false,
@@ -27,7 +27,7 @@ impl Dither<'_> {
     /// ⌊threshold · `max`⌋ for the pixels of a run: [`threshold_fx`](Self::threshold_fx), with everything but x taken out
     /// of the loop. A whole call, so that the loops over pixels are compiled on their own.
     #[inline(never)]
-    fn run(&self, x: u32, y: u32, channel: usize, max: u32) -> [u16; RUN] {
+    pub(super) fn run(&self, x: u32, y: u32, channel: usize, max: u32) -> [u16; RUN] {
         let [place_x, place_y] = self.places[channel % CHANNELS];
         let (x, y) = (x.wrapping_add(self.origin[0]), y.wrapping_add(self.origin[1]));
         let (shifted_x, shifted_y) = (x.wrapping_add(place_x), y.wrapping_add(place_y));
@@ -101,7 +101,7 @@ fn row_8<'d, T: Copy + 'd, const C: usize, const N: usize>(
 
 /// The samples of a run; if the row has ended within it, in a buffer that goes on in black.
 #[inline]
-fn whole<'s>(samples: &'s [u8], buffer: &'s mut [u8]) -> &'s [u8] {
+pub(super) fn whole<'s>(samples: &'s [u8], buffer: &'s mut [u8]) -> &'s [u8] {
     if samples.len() == buffer.len() {
         return samples;
     }
@@ -117,80 +117,6 @@ fn quantise_8(samples: &[u8], bias: &[u16], steps: &[u16], found: &mut [u8]) {
         let sum = u16::from(sample).wrapping_mul(steps).wrapping_add(bias);
         *found = ((u32::from(sum) * 257) >> 16) as u8;
     }
-}
-
-/// Two levels of one channel of 8 bits: a comparison a pixel, packed to bits.
-pub(super) fn row_bits(dither: &Dither<'_>, y: u32, samples: &[u8], dst: &mut [u8]) {
-    let (mut thresholds, mut last) = ([0; RUN], [0; RUN]);
-    for (run, (samples, dst)) in samples.chunks(RUN).zip(dst.chunks_mut(RUN / 8)).enumerate() {
-        if run == 0 || !dither.repeats() {
-            thresholds = dither.run((run * RUN) as u32, y, 0, 255).map(|threshold| threshold as u8);
-        }
-        if let Ok(samples) = whole(samples, &mut last).try_into() {
-            let bits = bits(samples, &thresholds);
-            match <&mut [u8; RUN / 8]>::try_from(&mut *dst) {
-                Ok(dst) => *dst = bits,
-                Err(_) => dst.iter_mut().zip(bits).for_each(|(dst, bits)| *dst = bits),
-            }
-        }
-    }
-}
-
-/// One bit a sample: whether it is above its threshold. Without vectors: five instructions.
-#[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
-#[inline]
-fn bits(samples: &[u8; RUN], thresholds: &[u8; RUN]) -> [u8; RUN / 8] {
-    let mut bytes = [0; RUN / 8];
-    let runs = samples.chunks_exact(8).zip(thresholds.chunks_exact(8));
-    for (byte, (samples, thresholds)) in bytes.iter_mut().zip(runs) {
-        let mut bits = 0;
-        for k in 0..8 {
-            // The sign of the difference.
-            bits = (bits << 1) | (u32::from(thresholds[k]).wrapping_sub(u32::from(samples[k])) >> 31);
-        }
-        *byte = bits as u8;
-    }
-    bytes
-}
-
-/// One bit a sample: whether it is above its threshold.
-///
-/// Every place gathers a bit from each block of eight; what comes out is an 8×8 matrix of bits, to be transposed.
-#[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
-#[inline]
-fn bits(samples: &[u8; RUN], thresholds: &[u8; RUN]) -> [u8; RUN / 8] {
-    const BLOCK: [u8; RUN] = {
-        let mut block = [0; RUN];
-        let mut i = 0;
-        while i < RUN {
-            block[i] = 1 << (i / 8);
-            i += 1;
-        }
-        block
-    };
-    let mut above = [0; RUN];
-    for i in 0..RUN {
-        above[i] = if samples[i] > thresholds[i] { BLOCK[i] } else { 0 };
-    }
-    let mut columns = 0;
-    for block in above.chunks_exact(8) {
-        let mut eight = [0; 8];
-        eight.copy_from_slice(block);
-        columns |= u64::from_le_bytes(eight);
-    }
-    transposed(columns.swap_bytes()).to_le_bytes()
-}
-
-/// The transpose of an 8×8 matrix of bits (H. Warren, "Hacker's Delight", 7-3): blocks of 1, 2 and 4 change places.
-#[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
-#[inline]
-const fn transposed(matrix: u64) -> u64 {
-    let swapped = (matrix ^ (matrix >> 7)) & 0x00aa_00aa_00aa_00aa;
-    let matrix = matrix ^ swapped ^ (swapped << 7);
-    let swapped = (matrix ^ (matrix >> 14)) & 0x0000_cccc_0000_cccc;
-    let matrix = matrix ^ swapped ^ (swapped << 14);
-    let swapped = (matrix ^ (matrix >> 28)) & 0x0000_0000_f0f0_f0f0;
-    matrix ^ swapped ^ (swapped << 28)
 }
 
 /// 8 bits to 5, 6 and 5 in one number.

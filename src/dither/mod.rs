@@ -29,6 +29,7 @@
 //! random numbers in every run.
 
 pub mod alpha;
+mod bits;
 #[cfg(feature = "gamma")]
 pub mod gamma;
 mod kernel;

@@ -1,7 +1,7 @@
 //! Rows of pictures, from samples to the bytes of a display.
 
 use super::kernel::{self, Levels, RUN};
-use super::{Dither, Samples};
+use super::{Dither, Samples, bits};
 use core::fmt;
 
 /// What keeps a row from being dithered. Nothing has been written.
@@ -63,7 +63,7 @@ impl Dither<'_> {
             Samples::U8(samples) if matches!(self.rule, super::Rule::Plain) => {
                 let (needed, given) = (samples.len().div_ceil(8), dst.len());
                 let dst = dst.get_mut(..needed).ok_or(RowError::TooShort { needed, given })?;
-                kernel::row_bits(self, y, samples, dst);
+                bits::row(self, y, samples, dst);
                 Ok(())
             }
             src => self.packed_row::<1, 8>(y, src, dst),
