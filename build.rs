@@ -67,6 +67,8 @@ fn run() -> Result<(), String> {
     }
     if recipes.iter().any(|recipe| recipe.is_filtered()) {
         text += &bake::embed::filter(filter);
+    } else if std::env::var_os("BLUEDITHER_FILTER").is_some() {
+        println!("cargo::warning=BLUEDITHER_FILTER changes nothing: add feature threshold-filtered-64");
     }
     if !counts.is_empty() {
         text += &directions(&counts)?;

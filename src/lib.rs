@@ -50,7 +50,7 @@
 //! | pictures that must match the tables of 2019 | [`keys_2019`] |
 //! | a picture without smooth parts | [`White`] |
 //! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
-//! | a shader | `bytes()` of a mask (feature `bytemuck`), looked up as in [`mask`] |
+//! | a shader | the same functions as WGSL (feature `wgsl`, see `shader`) |
 //!
 //! # Features
 //! A table is baked only if its feature is on, and linked only if it is used. Features add items and change no value.
@@ -92,11 +92,11 @@
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //! | `float` | rows of `f32` in [`dither`] | |
 //! | `gamma` | [`dither`] in linear light | 512 |
-//! | `wgsl` | [`shader`]: the same functions as WGSL text | |
+//! | `wgsl` | `shader`: the same functions as WGSL text, and tables as words | |
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`dither`], [`sobol`], [`linear`],
+//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`linear`],
 //! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), [`keys_2019`], and
 //! [`Dithered`], [`Keyed`] and [`Rank1`] by masks and keys of your own.
 //!

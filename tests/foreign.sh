@@ -15,8 +15,8 @@ dropped='clap|embedded-graphics|glam|image|indicatif|png'
 files=(bad_input call_shape casts controls directions dither hash keys_2019 lattice linear mask pattern rank1 rebake sizes sobol
     strata torus unit warp zorder)
 if [ "${1:-}" = --all ]; then
-    features+=,embedded-graphics
-    dropped='clap|glam|image|indicatif|png'
+    features+=,embedded-graphics,wgsl
+    dropped='clap|image|indicatif|png'
     mapfile -t files < <(ls tests/*.rs tests/*/main.rs | sed 's|/main.rs$||; s|\.rs$||; s|.*/||')
 elif [ $# -gt 0 ]; then
     files=("$@")
@@ -27,6 +27,7 @@ copy=$root/crate
 rm -rf "$copy" && mkdir -p "$copy/tests"
 cp -rp Cargo.toml Cargo.lock build.rs src tables README.md "$copy"
 cp -rp tests/*.rs tests/analysis tests/bad_input tests/common tests/dither "$copy/tests"
+mkdir -p "$copy/examples/render" && cp -p examples/render/paths.rs "$copy/examples/render" # a test's
 sed -i -E "/^\[dev-dependencies\]/,/^\[/ { /^($dropped) = /d }; /^members = /d; /^default-members = /d" "$copy/Cargo.toml"
 awk '/^\[\[example\]\]/ { skip = 1; next } /^\[/ { skip = 0 } !skip' "$copy/Cargo.toml" >"$root/Cargo.toml"
 mv "$root/Cargo.toml" "$copy/Cargo.toml"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the named scripts need and this machine lacks; one line says so where that fails.
+# Installs the packages of Debian 12 that the named scripts need and this machine lacks; one line says so where that fails.
 set -euo pipefail
 rust="rustc-web cargo-web rust-web-src rust-web-llvm" # with the source of the standard library, to build it for others
 vulkan="libvulkan1 mesa-vulkan-drivers"               # a device in software
@@ -20,5 +20,5 @@ for script in "$@"; do
     done
 done
 [ ${#missing[@]} -gt 0 ] || exit 0
-{ apt-get update -qq && apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >/dev/null ||
-    { echo "these Debian packages are needed, and only root can install them: ${missing[*]}" >&2; exit 1; }
+{ apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >/dev/null ||
+    { echo "these Debian packages could not be installed, for which root and a network are needed: ${missing[*]}" >&2; exit 1; }

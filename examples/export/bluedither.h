@@ -133,8 +133,8 @@ static inline void bd_torus_offset(uint32_t seed, uint32_t domain, uint32_t pad,
                                    uint32_t out[2]) {
     const uint32_t x = bd_hash_mix(seed), y = bd_hash_mix(x);
     const uint32_t shift = size_log2 < 32 ? 32 - size_log2 : 0;
-    out[0] = x + domain * UINT32_C(0xc13fa9a9) + frame * UINT32_C(0x9003ec6d) + pad * UINT32_C(0xb3f5166e);
-    out[1] = y + domain * UINT32_C(0x91e10da5) + frame * UINT32_C(0x12410809) + pad * UINT32_C(0x95a7a918);
+    out[0] = x + domain * UINT32_C(0xc13fa9a9) + frame * UINT32_C(0x2780e141) + pad * UINT32_C(0xb3f5166e);
+    out[1] = y + domain * UINT32_C(0x91e10da5) + frame * UINT32_C(0xbc218b0d) + pad * UINT32_C(0x95a7a918);
     out[0] = shift < 32 ? out[0] >> shift : 0;
     out[1] = shift < 32 ? out[1] >> shift : 0;
 }

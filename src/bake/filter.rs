@@ -113,7 +113,8 @@ impl Filter {
 
     /// The autocorrelation of the moving average at t frames' distance when they come again after `frames`, over that at 0.
     fn repeated(self, t: usize, frames: usize) -> f64 {
-        let power = |t: usize| libm::pow(1.0 - f64::from(self.ema) / 1000.0, t as f64);
+        let kept = 1.0 - f64::from(self.ema) / 1000.0;
+        let power = |t: usize| (0..t).fold(1.0, |power, _| power * kept);
         (power(t) + power(frames - t)) / (1.0 + power(frames))
     }
 }
@@ -136,8 +137,9 @@ impl Space {
     /// boxes, which do let it through, lose a tenth by it.
     fn kernel(self, dx: usize, dy: usize) -> f64 {
         let both = self.along(dx) * self.along(dy);
-        let narrow = libm::exp(-((dx * dx + dy * dy) as f64) / 3.92); // as in `inputs::VOID_AND_CLUSTER`
-        if matches!(self, Self::Box(_)) { both } else { both + narrow }
+        // As in `inputs::VOID_AND_CLUSTER`.
+        let narrow = || libm::exp(-((dx * dx + dy * dy) as f64) / 3.92);
+        if matches!(self, Self::Box(_)) { both } else { both + narrow() }
     }
 
     /// The autocorrelation along an axis, over that at 0.

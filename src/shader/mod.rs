@@ -32,7 +32,7 @@
 //! Plain WGSL without a preprocessor, in any order: declarations need not come before their use. No text declares an entry
 //! point or a binding, but [`SEEDS_PASS`]. What works on rows or lists (`fill`, `fill_row`, `candidate`, the rows of
 //! [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so is [`warp`](crate::warp), whose
-//! functions have other bits on every device.
+//! functions have other bits on every device. Of `PairTimeMask` and `LongTimeMask` bind the mask of a frame.
 
 mod table;
 mod words;
@@ -45,9 +45,7 @@ pub use table::{
 pub use words::linear_light_words;
 #[cfg(feature = "seed-permutation")]
 pub use words::seed_swap_words;
-#[cfg(any(feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
-pub use words::time_words;
-pub use words::{byte_words, direction_words, keys_words, linear_order_words, scalar_words, vector_words};
+pub use words::{byte_words, direction_words, keys_words, linear_order_words, scalar_words, time_words, vector_words};
 
 /// Texts that go together: a set of modules that holds all that each of them needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -142,7 +142,7 @@ pub const DIRECTION_NUMBERS: Table = table!(
     "textureLoad(bd_directions, vec2<u32>(bit, dimension), 0).r"
 );
 
-/// Masks over time, `time_words`: a texture of the masks one below the other. Besides the size it takes their number: `const
+/// Masks over time, [`time_words`](super::time_words): a texture of the masks one below the other. Besides the size it takes their number: `const
 /// BD_OVER_TIME_FRAMES = 32u;`, or 16 for `THRESHOLD_OVER_TIME_64`.
 pub const TIME_MASK: Table = ranks!(6 "bd_over_time" "BD_OVER_TIME_LOG2", sizes!("BD_OVER_TIME_LOG2"));
 

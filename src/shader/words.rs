@@ -43,7 +43,6 @@ pub fn direction_words<const D: usize>(directions: &Directions<D>) -> impl Itera
 }
 
 /// The ranks of masks over time, two a word, for [`TIME_MASK`](super::TIME_MASK).
-#[cfg(any(feature = "threshold-over-time-32", feature = "threshold-over-time-64"))]
 pub fn time_words<const S: usize, const T: usize>(
     mask: &crate::frames::masks::TimeMask<S, T>,
 ) -> impl Iterator<Item = u32> + Clone {

@@ -3,6 +3,7 @@
 # the smallest of them and compares with the README (with --write: writes it there).
 # Missing packages are installed, for which it has to be root on Debian.
 set -euo pipefail
+shopt -s inherit_errexit # what fails inside $(…) stops all of it
 cd "$(dirname "$0")"
 export BLUEDITHER_EFFORT=quick # the same tables on both sides
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-../../target}/firmware
@@ -51,5 +52,6 @@ run Cortex-M0 thumbv6m-none-eabi qemu-system-arm -machine microbit
 declare -A stacks
 while read -r key stack; do stacks[$key]=$stack; done < <(sed -n 's/^# stack //p' <<<"$output")
 for key in $("$CARGO_TARGET_DIR/release/cost"); do
-    echo "$key $(program "$key")"
+    cost=$(program "$key")
+    echo "$key $cost"
 done | "$CARGO_TARGET_DIR/release/cost" ../../README.md "$@"

@@ -6,6 +6,7 @@
 
 mod halftones;
 mod parts;
+mod shader;
 mod time;
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
