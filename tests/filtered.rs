@@ -117,7 +117,7 @@ fn still_masks() {
         "binomial:15",
     ] {
         let ratio = compare(&default, Kind::Filtered, text, 1.0);
-        assert!(ratio <= 0.95, "{text}: {ratio} of the default's error");
+        assert!(ratio <= if text == "box:3" { 0.72 } else { 0.95 }, "{text}: {ratio} of the default's error");
     }
     // What the default mask is made for: little to win, and nothing to lose.
     for text in ["gaussian:1", "gaussian:1.5", "binomial:5", "binomial:7"] {
@@ -137,7 +137,7 @@ fn masks_over_time() {
         ("binomial:3+ema:0.05", 0.05),
     ] {
         let ratio = compare(&default, Kind::FilteredOverTime, text, ema);
-        assert!(ratio <= 0.95, "{text}: {ratio} of the default's error");
+        assert!(ratio <= if ema == 0.1 { 0.7 } else { 0.95 }, "{text}: {ratio} of the default's error");
         let ranks = baked(Kind::FilteredOverTime, text);
         for frame in ranks.chunks(SIZE * SIZE) {
             let mut sorted = frame.to_vec();

@@ -175,8 +175,8 @@ fn scale(total: f64) -> f64 {
 
 fn thousandths(text: &str, least: u32, most: u32) -> Option<u32> {
     let number: f64 = text.parse().ok()?;
-    let thousandths = libm::round(1000.0 * number);
-    (thousandths >= f64::from(least) && thousandths <= f64::from(most)).then_some(thousandths as u32)
+    let inside = number >= f64::from(least) / 1000.0 && number <= f64::from(most) / 1000.0;
+    inside.then(|| libm::round(1000.0 * number) as u32)
 }
 
 fn whole(text: &str) -> Option<u32> {

@@ -33,7 +33,7 @@
 //! | `gaussian:1+ema:0.1`, over time | .12 / .33 | .10 / .20 |
 //!
 //! The default masks are made for Gaussians of 1 to 1.5 pixels, where nothing more is won. A mask for a box has a little
-//! more error under a Gaussian, and other way round: take it when the filter is certain. A mask for a filter of your own
+//! more error under a Gaussian, and the other way round: take it when the filter is certain. A mask for a filter of your own
 //! has no recorded digest: nothing warns if it comes out otherwise on another machine.
 //!
 //! ```

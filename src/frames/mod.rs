@@ -7,7 +7,7 @@
 //! | the same, seamless and without a loop for a second | [`LongTimeMask`](masks::LongTimeMask), `threshold-over-time-128` | 2 MiB |
 //! | pairs of numbers, one sample a frame | [`PairTimeMask`](masks::PairTimeMask), `offset-2d-over-time-64` | 128 KiB |
 //! | one of the first two, and a filter that you know | [`masks`], `threshold-filtered-64`, `threshold-filtered-over-time-64` | 8, 128 KiB |
-//! | paths of many dimensions, a picture that is smooth and moves little | `seeds`, `seed-permutation` | 16 KiB |
+//! | paths of many dimensions, a picture that is smooth and moves little | `seeds`, `seed-permutation` | 8 KiB, and 8 KiB of `threshold-64` |
 //!
 //! A mask over time costs a look-up, as a still one does; frames of it shown without any average have up to a third more error
 //! than those of a still one.

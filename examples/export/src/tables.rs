@@ -115,6 +115,8 @@ fn inventory() -> (Vec<Table>, Vec<&'static str>) {
     table!("lattice-64", 64, LATTICE_64, Vector);
     table!("threshold-over-time-32", 32, THRESHOLD_OVER_TIME_32, Frames);
     table!("threshold-over-time-64", 64, THRESHOLD_OVER_TIME_64, Frames);
+    table!("threshold-filtered-64", 64, THRESHOLD_FILTERED_64, Scalar);
+    table!("threshold-filtered-over-time-64", 64, THRESHOLD_FILTERED_OVER_TIME_64, Frames);
     table!("seed-permutation", 64, SEED_PERMUTATION, Codes);
     table!("sobol-16", 32, SOBOL_16, Directions);
     table!("sobol-64", 32, SOBOL_64, Directions);

@@ -25,7 +25,7 @@ impl<'a> Work<'a> {
 }
 
 pub fn chapter(quick: bool) -> Chapter {
-    let height = if quick { HEIGHT / 6 } else { HEIGHT };
+    let height = if quick { HEIGHT / 8 } else { HEIGHT };
     let rounds = if quick { 3 } else { 9 };
     let source: Vec<u8> = (0..WIDTH * height).map(|i| (i * 7 + i / WIDTH * 13) as u8).collect();
     let progress = Progress::new("dither", 2 * rounds);
