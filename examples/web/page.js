@@ -59,7 +59,7 @@ class Page {
 
     // As many pixels as fit, each of whole pixels of the screen.
     resize() {
-        const zoom = Number(chosen("zoom"));
+        const zoom = Number(chosen("zoom")) * Math.max(1, Math.floor(devicePixelRatio));
         const room = document.querySelector("figure").clientWidth * devicePixelRatio / zoom;
         const width = Math.max(64, Math.min(640, Math.floor(room)));
         const height = Math.floor(width * 2 / 3);
