@@ -31,7 +31,7 @@ quick() {
         --config profile.dev.package.gpu.opt-level=2 --config profile.dev.package.bluedither.opt-level=2
 }
 
-# Each file that a tool refuses is named; then all of it has failed.
+# Each file that a tool refuses is named.
 accepted() {
     local ending=$1 refused=0 file
     shift
@@ -44,14 +44,16 @@ accepted() {
 reference_tools() {
     accepted .spv spirv-val --target-env vulkan1.1
     accepted .glsl glslangValidator -S comp
-    # Entry points of HLSL are named; SPIR-V is made, since only then all of it is checked.
     accepted .hlsl hlsl
 }
 
+# Entry points are named; SPIR-V is made, since only then all of it is checked.
 hlsl() {
-    local entry
-    for entry in $(sed -n 's/^void \(main\|bd_seeds_[a-z_0-9]*\)(uint3 .*/\1/p' "$1"); do
-        glslangValidator -D -S comp -e "$entry" -V "$1" -o "$out/log.spirv"
+    local entry entries
+    entries=$(sed -n 's/^void \(main\|bd_seeds_[a-z_0-9]*\)(uint3 .*/\1/p' "$1")
+    [ -n "$entries" ] || { echo "it has no entry point"; return 1; }
+    for entry in $entries; do
+        glslangValidator -D -Od -S comp -e "$entry" -V "$1" -o "$out/log.spirv" || return 1
     done
 }
 
@@ -59,6 +61,6 @@ part "installing" installed
 part "building" quick build
 part "functions on the device" "$CARGO_TARGET_DIR/debug/gpu"
 rm -rf "$out"
-part "translating" "$CARGO_TARGET_DIR/debug/gpu" --out "$out"
+part "writing" "$CARGO_TARGET_DIR/debug/gpu" --out "$out"
 part "reference tools" reference_tools
 part "Tint" node tests/gpu/tint.mjs "$out" "$dawn"

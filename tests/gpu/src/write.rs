@@ -1,4 +1,4 @@
-//! Shaders on disk, for the compilers of others.
+//! Shaders on disk, for the compilers of others. All of it has passed naga then.
 
 use std::path::Path;
 
@@ -8,65 +8,70 @@ use crate::case::{self, Case};
 use crate::cases;
 use crate::device::Way;
 use crate::pass;
-use crate::translate::{Language, translate};
+use crate::translate::{Language, parse, translate};
 
-/// Writes, for every set of parts that cases use, a shader that calls all of them, and the bare functions, in every
-/// language. All of it has passed naga then.
+/// A shader: its name, its text, its entry points.
+type Shader = (String, String, &'static [&'static str]);
+
+/// Writes, for every set of parts that cases use, a shader that calls all of them in WGSL; and one that calls all functions,
+/// as the passes, in every language.
 pub fn write(directory: &Path) -> Result<(), String> {
     std::fs::create_dir_all(directory).map_err(|error| format!("{} cannot be made ({error})", directory.display()))?;
-    let mut count = 0;
-    for (name, text) in shaders() {
-        put(directory, &name, "wgsl", text.as_bytes())?;
-        for language in Language::ALL {
-            let one_entry = matches!(language, Language::Glsl | Language::GlslEs);
-            for (entry, file) in entries(&name, one_entry) {
-                let translated = translate(&text, language, entry).map_err(|error| format!("{name}: {error}"))?;
-                put(directory, &file, language.extension(), &translated)?;
+    let (mut texts, mut translations) = (0, 0);
+    for way in [Way::Storage, Way::Texture] {
+        let ending = format!("{way:?}").to_lowercase();
+        for (name, text, _) in sets(way) {
+            parse(&text).map_err(|error| format!("{name}: {error}"))?;
+            put(directory, &format!("{name}_{ending}.wgsl"), text.as_bytes())?;
+            texts += 1;
+        }
+        for (name, text, entries) in wholes(way) {
+            put(directory, &format!("{name}_{ending}.wgsl"), text.as_bytes())?;
+            texts += 1;
+            for language in Language::ALL {
+                // All entry points go into one file, but in GLSL.
+                let one = matches!(language, Language::Glsl | Language::GlslEs);
+                for entry in &entries[..if one { entries.len() } else { 1 }] {
+                    let translated = translate(&text, language, entry)
+                        .map_err(|error| format!("{name} in {language:?}: {error}"))?;
+                    put(directory, &format!("{name}_{ending}.{entry}.{}", language.extension()), &translated)?;
+                    translations += 1;
+                }
             }
         }
-        count += 1;
     }
-    println!("{count} shaders in {} languages in {}", Language::ALL.len() + 1, directory.display());
+    println!("{texts} shaders, {translations} translations in {}", directory.display());
     Ok(())
 }
 
-/// Names and texts, each by storage buffers and by textures.
-fn shaders() -> Vec<(String, String)> {
+/// For every set of parts that cases use, named after the one that the others are there for.
+fn sets(way: Way) -> Vec<Shader> {
     let cases = cases::all();
     let mut sets: Vec<shader::Parts> = Vec::new();
     for case in &cases {
-        if !sets.contains(&case.parts) {
+        // Without a table both ways are the same.
+        if !sets.contains(&case.parts) && (way == Way::Storage || !case.tables.is_empty()) {
             sets.push(case.parts);
         }
     }
-    let mut shaders = Vec::new();
-    for way in [Way::Storage, Way::Texture] {
-        for &parts in &sets {
-            let of_set: Vec<&Case> = cases.iter().filter(|case| case.parts == parts).collect();
-            if way == Way::Texture && of_set.iter().all(|case| case.tables.is_empty()) {
-                continue; // the same as by storage
-            }
-            // The last of its parts is what the others are there for.
-            let name = parts.names().last().unwrap_or_default().replace('/', "_");
-            shaders.push((format!("{name}_{way:?}").to_lowercase(), case::all_in_one(parts, &of_set, way)));
-        }
-        shaders.push((format!("frames_seeds_pass_{way:?}").to_lowercase(), pass::shader(way).1));
-        let all: Vec<&Case> = cases.iter().collect();
-        shaders.push((format!("all_{way:?}").to_lowercase(), case::all_in_one(shader::ALL, &all, way)));
-    }
-    shaders
+    let shader = |parts: &shader::Parts| -> Shader {
+        let of_set: Vec<&Case> = cases.iter().filter(|case| case.parts == *parts).collect();
+        let name = parts.names().last().unwrap_or_default().replace('/', "_");
+        (name, case::all_in_one(*parts, &of_set, way), &["main"])
+    };
+    sets.iter().map(shader).collect()
 }
 
-/// Entry points that a language takes at once, the first standing for all, and names of files.
-fn entries(name: &str, one_entry: bool) -> Vec<(&'static str, String)> {
-    match (name.contains("_pass_"), one_entry) {
-        (true, true) => pass::ENTRIES.map(|entry| (entry, format!("{name}.{entry}"))).into(),
-        (true, false) => vec![(pass::ENTRIES[0], name.to_string())],
-        _ => vec![("main", name.to_string())],
-    }
+/// Everything, and the passes by themselves.
+fn wholes(way: Way) -> [Shader; 2] {
+    let cases = cases::all();
+    let everything = case::all_in_one(shader::ALL, &cases.iter().collect::<Vec<_>>(), way);
+    // Its entry points stand beside the functions.
+    let all: Shader = ("all".to_string(), everything, &["main"]);
+    [all, ("seeds_pass".to_string(), pass::shader(way).1, &pass::ENTRIES)]
 }
 
-fn put(directory: &Path, name: &str, extension: &str, bytes: &[u8]) -> Result<(), String> {
-    let path = directory.join(format!("{name}.{extension}"));
+fn put(directory: &Path, name: &str, bytes: &[u8]) -> Result<(), String> {
+    let path = directory.join(name);
     std::fs::write(&path, bytes).map_err(|error| format!("{} cannot be written ({error})", path.display()))
 }
