@@ -3,10 +3,12 @@
  * SPDX-License-Identifier: @licence@
  * bluedither @version@, tables baked at @effort@ effort. Written by `cargo run -p export -- --lang c`: do not edit.
  *
- * The functions of the Rust crate bluedither, bit by bit the same, under the same names: `bd_`, the module, the name.
- * Nothing but <stdint.h>: no memory, no state, no floats but in functions named so. Every argument is defined; signed
- * coordinates are cast to uint32_t, and tiles repeat. All is `static`: a table is linked where it is used, so use it in
- * one source file.
+ * Functions of the Rust crate bluedither, bit by bit the same, under the same names: `bd_`, the module or type, the name.
+ * Here are the samplers Sampler, ZOrder, Keyed and White, and what they are made of; masks, shifts, thresholds and levels.
+ * The others (Dithered, Rank1, Constant, lattices, rows of pixels, time) are in the crate, and most in its WGSL. Nothing but <stdint.h>; no memory, no state. Floats come from `draw` and `value` only, where no `_fx` follows.
+ * Every argument of a function is defined; signed coordinates are cast to uint32_t, and tiles repeat. All is `static`: an
+ * optimising compiler links a table with every source file that uses it, others with every one that includes this. So
+ * use it in one, and write the tables that you need by `--mask`.
  *
  *     bd_sampler_t sampler = bd_sampler_with_spp(seed, spp);    or bd_sampler_new(seed), if the number is not known
  *     bd_sampler_pixel_t pixel = bd_sampler_pixel(sampler, x, y, frame);
@@ -21,6 +23,10 @@
  */
 #ifndef BLUEDITHER_H
 #define BLUEDITHER_H
+
+#if !defined(__cplusplus) && (!defined(__STDC_VERSION__) || __STDC_VERSION__ < 199901L)
+#error "bluedither.h needs C99 or C++11: choose it by -std=c99"
+#endif
 
 #include <stdint.h>
 
@@ -363,7 +369,7 @@ static inline uint32_t bd_dither_threshold_fx(bd_scalar_mask_t mask, uint32_t x,
 
 /* The level, 0..levels-1, of `value` of 0..max: the upper of its two neighbours where its way between them exceeds the
  * threshold. A value that is a level stays. Fewer than two levels or a `max` of 0 give 0. */
-static inline uint16_t bd_dither_level(uint16_t value, uint16_t max, uint16_t levels, uint32_t threshold_fx) {
+static inline uint16_t bd_quantise_level(uint16_t value, uint16_t max, uint16_t levels, uint32_t threshold_fx) {
     uint32_t scaled, lower, rest;
     if (max == 0 || levels < 2) {
         return 0;
@@ -383,7 +389,7 @@ static inline void bd_dither_gray1_row(bd_scalar_mask_t mask, uint32_t y, uint32
     bd_torus_offset(0, 0, 0, frame, mask.size_log2, place);
     for (x = 0; x < width; x++) {
         const uint32_t threshold = bd_scalar_value_fx(mask, x + place[0] - first[0], y + place[1] - first[1]);
-        const uint32_t bit = bd_dither_level(gray[x], 255, 2, threshold);
+        const uint32_t bit = bd_quantise_level(gray[x], 255, 2, threshold);
         bits[x / 8] = (uint8_t)((x % 8 == 0 ? 0 : bits[x / 8]) | bit << (7 - x % 8));
     }
 }

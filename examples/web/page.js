@@ -59,7 +59,7 @@ class Page {
 
     // As many pixels as fit, each of whole pixels of the screen.
     resize() {
-        const zoom = Number(chosen("zoom"));
+        const zoom = Number(chosen("zoom")) * Math.max(1, Math.floor(devicePixelRatio));
         const room = document.querySelector("figure").clientWidth * devicePixelRatio / zoom;
         const width = Math.max(64, Math.min(640, Math.floor(room)));
         const height = Math.floor(width * 2 / 3);
@@ -105,7 +105,7 @@ class Page {
             this.draw(time === "averaged" && this.frame > 1);
             this.unmeasured = true;
         }
-        if (this.unmeasured && this.known === REFERENCE_SAMPLES && (time === "still" || this.frame % 16 === 0)) {
+        if (this.unmeasured && this.known >= REFERENCE_SAMPLES && (time === "still" || this.frame % 16 === 0)) {
             this.unmeasured = false;
             await this.measure();
         }
@@ -153,11 +153,11 @@ class Page {
     }
 }
 
+// Before anything works the page has a note of its own, which this replaces.
 function missing(why) {
     byId("app").hidden = true;
     byId("missing").hidden = false;
-    byId("missing").textContent = `${why} Recent versions of Chrome, Edge, Safari and Firefox have it; on some systems `
-        + "it is to be switched on in their settings.";
+    byId("missing").textContent = why;
 }
 
 byId("version").textContent = DATA.version;
@@ -165,8 +165,10 @@ const gpu = await Gpu.open().catch(() => null);
 if (gpu) {
     gpu.device.lost.then(({ message }) => missing(`The connection to WebGPU was lost (${message}): reload the page.`));
     gpu.device.addEventListener("uncapturederror", ({ error }) => console.error(error.message));
+    byId("missing").hidden = true;
     byId("app").hidden = false;
     new Page(gpu);
 } else {
-    missing("This page needs WebGPU, which this browser does not offer here.");
+    missing("This page needs WebGPU, which this browser does not offer here. Recent versions of Chrome, Edge, Safari and "
+        + "Firefox have it, on some systems by a switch in their settings; pages by plain http do not get it.");
 }

@@ -47,7 +47,7 @@ CHECK(time_mask_frame, r[0] = bd_scalar_rank(bd_time_mask_frame(bd_threshold_ove
 CHECK(keys_key, bd_keys_key(bd_keys_64, a[0], a[1], r); bd_keys_key(bd_keys_128, a[0], a[1], r + 2))
 CHECK(dither_threshold_fx, r[0] = bd_dither_threshold_fx(bd_threshold_64, a[0], a[1], a[2], a[3]);
       r[1] = bd_dither_threshold_fx(bd_threshold_16, a[0], a[1], a[2], a[3]))
-CHECK(dither_level, r[0] = bd_dither_level((uint16_t)a[0], (uint16_t)a[1], (uint16_t)a[2], a[3]))
+CHECK(quantise_level, r[0] = bd_quantise_level((uint16_t)a[0], (uint16_t)a[1], (uint16_t)a[2], a[3]))
 
 /* Rows of 0 to 24 pixels, of the bytes of the last six words. */
 static void dither_gray1_row(const uint32_t a[8], uint32_t r[4]) {
@@ -73,7 +73,7 @@ const check_t checks_of_functions[] = {
     ENTRY(sobol_owen_point), ENTRY(directions_dimension), ENTRY(directions_owen), ENTRY(zorder_morton_16),
     ENTRY(zorder_first_index), ENTRY(strata_place_1d), ENTRY(strata_place_2d), ENTRY(shift_global),
     ENTRY(shift_stratified_1d), ENTRY(shift_stratified_2d), ENTRY(scalar_rank), ENTRY(scalar_value),
-    ENTRY(vector_value), ENTRY(time_mask_frame), ENTRY(keys_key), ENTRY(dither_threshold_fx), ENTRY(dither_level),
+    ENTRY(vector_value), ENTRY(time_mask_frame), ENTRY(keys_key), ENTRY(dither_threshold_fx), ENTRY(quantise_level),
     ENTRY(dither_gray1_row),
     {NULL, NULL},
 };

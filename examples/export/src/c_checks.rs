@@ -64,7 +64,7 @@ const FUNCTIONS: &[(&str, Twin)] = &[
         let large = Dither::blue(&library::THRESHOLD_64).frame(a[3]).threshold_fx(a[0], a[1], a[2]);
         two([large, Dither::blue(&library::THRESHOLD_16).frame(a[3]).threshold_fx(a[0], a[1], a[2])])
     }),
-    ("dither_level", |a| one(dither::quantise::level(a[0] as u16, a[1] as u16, a[2] as u16, a[3]).into())),
+    ("quantise_level", |a| one(dither::quantise::level(a[0] as u16, a[1] as u16, a[2] as u16, a[3]).into())),
     ("dither_gray1_row", |a| {
         let gray: Vec<u8> = a[2..].iter().flat_map(|word| word.to_le_bytes()).collect();
         let mut bits = [0xa5; 4];

@@ -37,7 +37,8 @@ fn the_page_runs() {
     let browser = Browser::open(&url, 900, 760, &[]);
     browser.wait("return document.body.dataset.measured !== undefined");
     let samples = browser.screenshot(&folder.join("light.png"));
-    assert!(samples.windows(4).any(|four| four[0] != four[3]), "the page is empty");
+    let colors: std::collections::BTreeSet<_> = samples.as_chunks::<3>().0.iter().collect();
+    assert!(colors.len() > 1000, "text has few colours, and pictures many: {}", colors.len());
     let one = right_error(&browser);
     assert!(one < 0.8, "one sample a pixel: {one}");
     set(&browser, "samples", "value", "2");
@@ -48,7 +49,9 @@ fn the_page_runs() {
     for word in ["z_order", "keyed", "rank1", "dithered", "constant", "white"] {
         set(&browser, "right", "value", &format!("'{word}'"));
         browser.wait("return document.body.dataset.measured === '4 still'");
-        println!("{word}: {}", right_error(&browser));
+        let error = right_error(&browser);
+        println!("{word}: {error}");
+        assert!(error < 1.0 || ["constant", "white"].contains(&word), "{word} at four samples a pixel: {error}");
     }
     assert_eq!(right_error(&browser), 1.0, "white noise is itself");
     browser.run("document.querySelector('input[value=averaged]').click()");
@@ -74,6 +77,6 @@ fn the_page_is_readable_on_a_phone_in_the_dark() {
 fn without_webgpu_there_is_a_note() {
     let (_, url) = written();
     let browser = Browser::open(&url, 900, 760, &["--disable-features=WebGPU", "--disable-gpu"]);
-    browser.wait("return !document.getElementById('missing').hidden");
+    browser.wait("return document.getElementById('missing').textContent.includes('does not offer')");
     assert_eq!(browser.run("return document.getElementById('app').hidden"), "true");
 }

@@ -53,7 +53,7 @@ const OFFSET: Bound = Bound {
 const KEYS: Bound = Bound {
     table: shader::KEYS_TILE,
     side: 64,
-    file: "keys-64.bin",
+    file: "keys-64-words.bin",
     words: || shader::keys_words(&bluedither::tables::KEYS_64).collect(),
 };
 #[cfg(feature = "lattice-64")]
