@@ -34,9 +34,9 @@ impl Language {
     }
 }
 
-/// The text, or SPIR-V's bytes, of a shader, or of functions without an entry point, which is to be included in another.
-/// Functions keep their names. A binding of group 0 keeps its number: in HLSL as register, in GLSL as binding. The error
-/// is naga's, on the text.
+/// The text, or SPIR-V's bytes, of a shader, or of functions without an entry point, which is to be included in
+/// another. Functions keep their names. A binding of group 0 keeps its number: in HLSL as register, in GLSL as
+/// binding. The error is naga's, on the text.
 ///
 /// GLSL has one entry point, `entry`; the other languages have them all.
 pub fn translate(wgsl: &str, language: Language, entry: &str) -> Result<Vec<u8>, String> {

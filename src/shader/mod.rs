@@ -1,12 +1,12 @@
 //! The same functions for shaders: WGSL text to paste, and the tables' bytes for its bindings.
 //!
-//! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`, then come
-//! the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
+//! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`,
+//! then come the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
 //! `bd_sampler_pixel(sampler, x, y, frame)`, and another sampler is another word, as in Rust. `draw::<2>` is `draw2`;
 //! `[u32; 2]` is `vec2<u32>`; `u64` is `vec2<u32>`, its lower half first. The bits are the same.
 //!
-//! A text reads its table by a function that it leaves to you, as its head says. Write it, or take one of a [`Table`], for
-//! a storage buffer or a texture:
+//! A text reads its table by a function that it leaves to you, as its head says. Write it, or take one of a [`Table`],
+//! for a storage buffer or a texture:
 //!
 //! ```
 //! use bluedither::shader;
@@ -29,10 +29,11 @@
 //! # assert!(wgsl.contains("fn bd_linear_order_load") && table.len() == 912);
 //! ```
 //!
-//! Plain WGSL without a preprocessor, in any order: declarations need not come before their use. No text declares an entry
-//! point or a binding, but [`SEEDS_PASS`]. What works on rows or lists (`fill`, `fill_row`, `candidate`, the rows of
-//! [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so is [`warp`](crate::warp), whose
-//! functions have other bits on every device. Of `PairTimeMask` and `LongTimeMask` bind the mask of a frame.
+//! Plain WGSL without a preprocessor, in any order: declarations need not come before their use. No text declares an
+//! entry point or a binding, but [`SEEDS_PASS`]. What works on rows or lists (`fill`, `fill_row`, `candidate`, the
+//! rows of [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so are
+//! [`warp`](crate::warp), whose functions have other bits on every device, and `unit::to_f64`. `Dither::gamma` is
+//! `bd_gamma_level` of a pixel's threshold. Of `PairTimeMask` and `LongTimeMask` bind the mask of a frame.
 
 mod table;
 mod words;
@@ -74,7 +75,8 @@ impl Parts {
     }
 }
 
-/// A constant for each module, which is a bit of [`Parts`], in the order of the list; needs stand above what needs them.
+/// A constant for each module, which is a bit of [`Parts`], in the order of the list; needs stand above what needs
+/// them.
 macro_rules! modules {
     ($($(#[$doc:meta])* $name:ident $file:literal [$($need:ident)*])*) => {
         #[allow(clippy::upper_case_acronyms, non_camel_case_types, reason = "names of the constants below")]
@@ -118,7 +120,8 @@ modules! {
     VECTOR "mask/vector" [MASK UNIT]
     /// [`Keys`](crate::Keys): `bd_keys_…`; reads [`KEYS_TILE`].
     KEYS "keys" []
-    /// [`keys_2019`](crate::keys_2019): `bd_keys_2019_…`; reads [`SOBOL_2019`], [`SCRAMBLING_2019`] and [`RANKING_2019`].
+    /// [`keys_2019`](crate::keys_2019): `bd_keys_2019_…`; reads [`SOBOL_2019`], [`SCRAMBLING_2019`] and
+    /// [`RANKING_2019`].
     KEYS_2019 "keys_2019" [UNIT]
     /// What samplers share: `bd_domain_…`.
     DOMAIN "sampler/mod" [HASH]

@@ -1,7 +1,7 @@
 //! How a shader reads tables: for each a function for a storage buffer and one for a texture.
 
-/// Text that declares a table's binding, in group 0, and reads it. For another place edit the numbers, or write your own
-/// function.
+/// Text that declares a table's binding, in group 0, and reads it. For another place edit the numbers, or write your
+/// own function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Table {
     /// For a storage buffer that holds the table's words, 32 bits each.
@@ -16,9 +16,9 @@ pub struct Table {
 }
 
 impl Table {
-    /// The constant to be pasted beside the rest, for a mask of so many pixels a side or a table of so many dimensions:
-    /// a power of two up to 256 or 1024. Other numbers count as the power of two below, or as the end of the range. Empty
-    /// for tables that have one size only.
+    /// The constant to be pasted beside the rest, for a mask of so many pixels a side or a table of so many
+    /// dimensions: a power of two up to 256 or 1024. Other numbers count as the power of two below, or as the end of
+    /// the range. Empty for tables that have one size only.
     #[must_use]
     pub const fn size(&self, side: usize) -> &'static str {
         let log2 = match side.checked_ilog2() {
@@ -142,8 +142,8 @@ pub const DIRECTION_NUMBERS: Table = table!(
     "textureLoad(bd_directions, vec2<u32>(bit, dimension), 0).r"
 );
 
-/// Masks over time, [`time_words`](super::time_words): a texture of the masks one below the other. Besides the size it takes their number: `const
-/// BD_OVER_TIME_FRAMES = 32u;`, or 16 for `THRESHOLD_OVER_TIME_64`.
+/// Masks over time, [`time_words`](super::time_words): a texture of the masks one below the other. Besides the size it
+/// takes their number: `const BD_OVER_TIME_FRAMES = 32u;`, or 16 for `THRESHOLD_OVER_TIME_64`.
 pub const TIME_MASK: Table = ranks!(6 "bd_over_time" "BD_OVER_TIME_LOG2", sizes!("BD_OVER_TIME_LOG2"));
 
 /// Light of the 256 sRGB values of 8 bits, `linear_light_words`: a texture of 256×1.
@@ -159,7 +159,8 @@ pub const SEED_SWAPS: Table = ranks!(8 "bd_seeds" "6u", &[]);
 /// `sobol` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of 256×256.
 pub const SOBOL_2019: Table = bytes!(9 "bd_sobol_2019" "8u");
 
-/// `scrambling` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of 1024×128.
+/// `scrambling` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of
+/// 1024×128.
 pub const SCRAMBLING_2019: Table = bytes!(10 "bd_scrambling_2019" "10u");
 
 /// `ranking` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of 1024×128.

@@ -1,5 +1,5 @@
-//! The tables as words of 32 bits, the earlier of two halves in the lower 16 bits: the bytes of a little-endian machine,
-//! on any host.
+//! The tables as words of 32 bits, the earlier of two halves in the lower 16 bits: the bytes of a little-endian
+//! machine, on any host.
 
 use crate::linear::Columns;
 use crate::sobol::Directions;

@@ -1,5 +1,5 @@
-// The tables of 2019 by the formula that came with them, as `bluedither::keys_2019`. Their bytes come from what you write,
-// or take with `shader::SOBOL_2019`, `SCRAMBLING_2019` and `RANKING_2019`:
+// The tables of 2019 by the formula that came with them, as `bluedither::keys_2019`. Their bytes come from what you
+// write, or take with `shader::SOBOL_2019`, `SCRAMBLING_2019` and `RANKING_2019`:
 //     fn bd_sobol_2019_load(i: u32) -> u32, and so on
 
 // The value of a sample, k for (k + 1/2)/256. Coordinates wrap at 128, `index` and `dimension` at 256.

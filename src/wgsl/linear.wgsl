@@ -1,8 +1,8 @@
-// The linear pixel order: one digital net for the whole picture. As `bluedither::linear`; its constants come word by word
-// from a function that you write, or take with `shader::LINEAR_ORDER`:
+// The linear pixel order: one digital net for the whole picture. As `bluedither::linear`; its constants come word by
+// word from a function that you write, or take with `shader::LINEAR_ORDER`:
 //     fn bd_linear_order_load(i: u32) -> u32
-// Ten orders of eight sets of ten columns: for 1, 2, 4, ..., 256 samples and for any number. Then the sequence, two words
-// (low, high) a number: the sums for two nibbles of an index, and 24 columns.
+// Ten orders of eight sets of ten columns: for 1, 2, 4, ..., 256 samples and for any number. Then the sequence, two
+// words (low, high) a number: the sums for two nibbles of an index, and 24 columns.
 
 const BD_LINEAR_SET = 10u;
 const BD_LINEAR_ORDER = 80u;

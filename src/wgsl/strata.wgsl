@@ -1,5 +1,5 @@
-// Strata: the unit interval or square cut into `count` cells of equal size, for any `count`; 0 counts as 1, and a cell is
-// taken modulo `count`. Values are 0.32 fixed point. As `bluedither::strata`.
+// Strata: the unit interval or square cut into `count` cells of equal size, for any `count`; 0 counts as 1, and a cell
+// is taken modulo `count`. Values are 0.32 fixed point. As `bluedither::strata`.
 
 // The point at `inside` of cell `cell`.
 fn bd_strata_place_1d(cell: u32, count: u32, inside: u32) -> u32 {

@@ -17,8 +17,8 @@ fn bd_unit_to_f32s4(values_fx: vec4<u32>) -> vec4<f32> {
     return vec4<f32>(values_fx >> vec4<u32>(8u)) * 0x1p-24f;
 }
 
-// The fixed-point number of a float: clamped to [0, 1), NaN to 0, rounded down. By its bits, since what a conversion makes of
-// a float that is out of range differs between languages.
+// The fixed-point number of a float: clamped to [0, 1), NaN to 0, rounded down. By its bits, since what a conversion
+// makes of a float that is out of range differs between languages.
 fn bd_unit_from_f32(value: f32) -> u32 {
     let bits = bitcast<u32>(value);
     if bits > 0x7f800000u {

@@ -22,8 +22,8 @@ fn bd_wide_mul(a: vec2<u32>, b: vec2<u32>) -> vec2<u32> {
     return bd_wide_product(a.x, b.x) + vec2<u32>(0u, a.x * b.y + a.y * b.x);
 }
 
-// Quotient and remainder of a division whose quotient fits 32 bits: a.y < b. Long division in two digits of 16 bits (Knuth's
-// algorithm D), after a shift that sets the highest bit of the divisor.
+// Quotient and remainder of a division whose quotient fits 32 bits: a.y < b. Long division in two digits of 16 bits
+// (Knuth's algorithm D), after a shift that sets the highest bit of the divisor.
 fn bd_wide_divide(a: vec2<u32>, b: u32) -> vec2<u32> {
     let shift = countLeadingZeros(b) & 31u;
     let divisor = b << shift;
@@ -34,8 +34,8 @@ fn bd_wide_divide(a: vec2<u32>, b: u32) -> vec2<u32> {
     return vec2<u32>((first.x << 16u) | second.x, second.y >> shift);
 }
 
-// Quotient and remainder of (rest * 2^16 + next) / divisor, rest < divisor: guessed by the upper half of the divisor, which
-// is at most 2 too much.
+// Quotient and remainder of (rest * 2^16 + next) / divisor, rest < divisor: guessed by the upper half of the divisor,
+// which is at most 2 too much.
 fn bd_wide_digit(rest: u32, next: u32, divisor: u32) -> vec2<u32> {
     let upper = divisor >> 16u;
     let lower = divisor & 0xffffu;

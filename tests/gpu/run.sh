@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The shaders on a device and in the compilers of others: every function a million times against Rust; what naga makes of
-# them, by the reference tools; and the WGSL by Tint, which Chromium has. Missing packages are installed, for which it has
-# to be root on Debian: a Vulkan device in software, the tools, node, and Dawn for node by npm.
+# The shaders on a device and in the compilers of others: every function a million times against Rust; what naga makes
+# of them, by the reference tools; and the WGSL by Tint, which Chromium has. Missing packages are installed, for which
+# it has to be root on Debian: a Vulkan device in software, the tools, node, and Dawn for node by npm.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}

@@ -1,5 +1,5 @@
-// Halftoning by comparing every pixel with a threshold. As `bluedither::Dither`, pixel by pixel; `blue` takes the scalar mask
-// that is bound. In linear light: bd_gamma_level of the same threshold.
+// Halftoning by comparing every pixel with a threshold. As `bluedither::Dither`, pixel by pixel; `blue` takes the
+// scalar mask that is bound. In linear light: bd_gamma_level of the same threshold.
 
 const BD_DITHER_CONSTANT = 0u;
 const BD_DITHER_RANDOM = 1u;

@@ -1,5 +1,5 @@
-// Masks over time, as `bluedither::frames::masks`. Their size, their number and their ranks, one mask below the other, come
-// from what you write, or take with `shader::TIME_MASK`:
+// Masks over time, as `bluedither::frames::masks`. Their size, their number and their ranks, one mask below the other,
+// come from what you write, or take with `shader::TIME_MASK`:
 //     const BD_OVER_TIME_LOG2 = 5u; // of 32x32 pixels
 //     const BD_OVER_TIME_FRAMES = 32u;
 //     fn bd_over_time_load(x: u32, y: u32) -> u32 // y = frame * 32 + the row in it

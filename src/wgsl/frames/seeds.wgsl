@@ -1,5 +1,5 @@
-// Seed permutation between frames: what its pass is made of. As `bluedither::frames::seeds`; the swaps come from a function
-// that you write, or take with `shader::SEED_SWAPS`:
+// Seed permutation between frames: what its pass is made of. As `bluedither::frames::seeds`; the swaps come from a
+// function that you write, or take with `shader::SEED_SWAPS`:
 //     fn bd_seeds_load(x: u32, y: u32) -> u32 // of x and y below 64
 
 // How far from the pixel itself the mask is read in a frame: pixels in x and y.

@@ -1,5 +1,5 @@
-// Seed permutation as a compute pass: `bluedither::frames::seeds::permute`. Dispatch (width + 11) / 8 by (height + 11) / 8
-// workgroups of bd_seeds_sort, then of bd_seeds_retarget_0, _1 and _2. The scalar mask that is bound is
+// Seed permutation as a compute pass: `bluedither::frames::seeds::permute`. Dispatch (width + 11) / 8 by (height + 11)
+// / 8 workgroups of bd_seeds_sort, then of bd_seeds_retarget_0, _1 and _2. The scalar mask that is bound is
 // `tables::THRESHOLD_64`.
 
 struct bd_SeedsPicture {

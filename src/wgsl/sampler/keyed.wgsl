@@ -1,5 +1,5 @@
-// Heitz and others 2019: one sequence for the image, scrambled by keys of every pixel. As `bluedither::Keyed`, with the tile
-// that is bound.
+// Heitz and others 2019: one sequence for the image, scrambled by keys of every pixel. As `bluedither::Keyed`, with
+// the tile that is bound.
 
 struct bd_Keyed {
     seed: u32,

@@ -1,4 +1,5 @@
-// Ahmed and Wonka 2020: one sequence for the image, dealt to the pixels along a shuffled Z curve. As `bluedither::ZOrder`.
+// Ahmed and Wonka 2020: one sequence for the image, dealt to the pixels along a shuffled Z curve. As
+// `bluedither::ZOrder`.
 
 struct bd_ZOrder {
     seed: u32,

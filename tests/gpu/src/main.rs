@@ -37,6 +37,10 @@ fn main() -> ExitCode {
 }
 
 fn check(word: &str) -> Result<(), String> {
+    let uncalled = uncalled();
+    if !uncalled.is_empty() {
+        return Err(format!("cases::all() calls no {}", uncalled.join(", ")));
+    }
     let device = device::Device::new()?;
     let cases: Vec<_> = cases::all().into_iter().filter(|case| case.expression.contains(word)).collect();
     let pass = "bd_seeds_sort, bd_seeds_retarget".contains(word);
@@ -54,4 +58,15 @@ fn check(word: &str) -> Result<(), String> {
     }
     println!("{} functions, {} calls each: the same bits on {}", cases.len(), arguments::CALLS, device.name);
     Ok(())
+}
+
+/// Functions of the shaders that neither a case nor another function calls.
+fn uncalled() -> Vec<String> {
+    let texts: String = bluedither::shader::ALL.texts().collect();
+    let cases = cases::all();
+    let callers: String = cases.iter().map(|case| case.expression).chain([texts.as_str()]).collect();
+    let names = texts.lines().filter_map(|line| line.strip_prefix("fn ")?.split_once('('));
+    let names =
+        names.map(|(name, _)| format!("{name}(")).filter(|name| !pass::ENTRIES.contains(&&name[..name.len() - 1]));
+    names.filter(|name| callers.matches(name.as_str()).count() < 2).collect()
 }

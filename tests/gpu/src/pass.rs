@@ -53,8 +53,8 @@ fn check_picture(device: &Device, way: Way, width: u32, height: u32, side: u32) 
         let differ = rust.iter().zip(&found).filter(|(rust, found)| rust != found).count();
         if differ > 0 {
             return Err(format!(
-                "bd_seeds_sort and bd_seeds_retarget: {differ} of {width}x{height} seeds differ in frame {frame}, blocks of \
-                 {side} ({way:?})"
+                "bd_seeds_sort and bd_seeds_retarget: {differ} of {width}x{height} seeds differ in frame {frame}, blocks \
+                 of {side} ({way:?})"
             ));
         }
     }

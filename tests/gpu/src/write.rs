@@ -13,8 +13,8 @@ use crate::translate::{Language, parse, translate};
 /// A shader: its name, its text, its entry points.
 type Shader = (String, String, &'static [&'static str]);
 
-/// Writes, for every set of parts that cases use, a shader that calls all of them in WGSL; and one that calls all functions,
-/// as the passes, in every language.
+/// Writes, for every set of parts that cases use, a shader that calls all of them in WGSL; and one that calls all
+/// functions, as the passes, in every language.
 pub fn write(directory: &Path) -> Result<(), String> {
     std::fs::create_dir_all(directory).map_err(|error| format!("{} cannot be made ({error})", directory.display()))?;
     let (mut texts, mut translations) = (0, 0);

@@ -65,5 +65,29 @@ pub fn cases() -> Vec<Case> {
         .chain(sampler!(masks(), DITHERED, "dithered", "global(bd_dithered_with_spp(a, g))", |seed, spp| {
             Dithered::with_spp(seed, spp).global()
         }))
+        .chain(others())
         .collect()
+}
+
+/// The other way to make those that are the same by `new` and by `with_spp`.
+fn others() -> Vec<Case> {
+    vec![
+        case(Z_ORDER, "bd_z_order_draw1_fx(bd_z_order_pixel(bd_z_order_with_spp(a, b), c, d, e), f, g)", |given| {
+            let [a, b, c, d, e, f, g] = given;
+            ZOrder::with_spp(a, b).pixel(c, d, e).draw_fx::<1>(f, g)
+        }),
+        case(WHITE, "bd_white_draw1_fx(bd_white_pixel(bd_white_with_spp(a, b), c, d, e), f, g)", |given| {
+            let [a, b, c, d, e, f, g] = given;
+            White::with_spp(a, b).pixel(c, d, e).draw_fx::<1>(f, g)
+        }),
+        case(KEYED, "bd_keyed_draw1_fx(bd_keyed_pixel(bd_keyed_new(a), b, c, d), e, f)", |[a, b, c, d, e, f]| {
+            Keyed::new(a).pixel(b, c, d).draw_fx::<1>(e, f)
+        })
+        .with_read(bind::linear_order())
+        .with_read(bind::keys(&KEYS_64)),
+        case(RANK1, "bd_rank1_draw1_fx(bd_rank1_pixel(bd_rank1_new(a), b, c, d), e, f)", |[a, b, c, d, e, f]| {
+            Rank1::new(a).pixel(b, c, d).draw_fx::<1>(e, f)
+        })
+        .with_read(bind::lattice(&LATTICE_64)),
+    ]
 }
