@@ -14,7 +14,7 @@ mod paths;
 use analysis::SIGMAS;
 use analysis::error::ErrorImage;
 use analysis::random::Random;
-use bluedither::frames::seeds::{self, Retargeting, Rows};
+use bluedither::frames::seeds::{self, Rows};
 use bluedither::tables::{SEED_PERMUTATION, THRESHOLD_64};
 use bluedither::{White, hash};
 use proptest::prelude::*;
@@ -163,7 +163,7 @@ fn nothing_happens_without_whole_rows() {
 /// In every round each place is in one pair at most.
 #[test]
 fn swaps_are_disjoint() {
-    for round in 0..Retargeting::ROUNDS {
+    for round in 0..SEED_PERMUTATION.rounds() {
         let mut pairs = vec![0; 4096];
         for p in 0..4096u32 {
             if let Some((right, down)) = SEED_PERMUTATION.partner(round, p & 63, p >> 6) {
@@ -177,7 +177,7 @@ fn swaps_are_disjoint() {
         assert!(pairs.iter().all(|&count| count <= 1), "round {round}");
         println!("round {round}: {} pairs", pairs.iter().sum::<i32>() / 2);
     }
-    assert_eq!(SEED_PERMUTATION.partner(Retargeting::ROUNDS, 0, 0), None);
+    assert_eq!(SEED_PERMUTATION.partner(SEED_PERMUTATION.rounds(), 0, 0), None);
     assert_eq!(SEED_PERMUTATION.partner(u32::MAX, 0, 0), None);
 }
 

@@ -22,6 +22,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 mod arguments;
+mod candidates;
 #[path = "../../src/bake/energy/mod.rs"]
 #[allow(dead_code, reason = "not this program's: tests use the rest")]
 mod energy;

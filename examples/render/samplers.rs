@@ -3,6 +3,7 @@
 //! All samplers share one call shape without a trait, so the loop is a macro's: compiled once for each sampler.
 
 use crate::arguments::Arguments;
+use crate::candidates::Candidates;
 use crate::film::Image;
 use crate::masks::Masks;
 use crate::scene::{Dimensions, Sample, Scene};
@@ -24,13 +25,13 @@ pub struct Job<'a> {
 }
 
 macro_rules! samplers {
-    (|$masks:ident, $seed:ident, $spp:ident| $($(#[$condition:meta])* $name:literal => $sampler:expr,)*) => {
+    (|$masks:ident, $seed:ident, $spp:ident, $size:ident| $($(#[$condition:meta])* $name:literal => $sampler:expr,)*) => {
         /// All samplers, in the order of the sheets. A name that begins with a spectrum needs that annealed mask.
         pub const NAMES: &[&str] = &[$($(#[$condition])* $name),*];
 
         /// Renders the job with the sampler of that name.
         pub fn render(name: &str, job: &Job) -> Image {
-            let ($masks, $seed, $spp) = (job.masks, job.arguments.seed, job.spp);
+            let ($masks, $seed, $spp, $size) = (job.masks, job.arguments.seed, job.spp, job.size);
             match name {
                 $($(#[$condition])* $name => {
                     let sampler = $sampler;
@@ -52,9 +53,10 @@ macro_rules! samplers {
     };
 }
 
-samplers! { |masks, seed, spp|
+samplers! { |masks, seed, spp, size|
     "constant" => Constant::with_spp(seed, spp),
     "white" => White::with_spp(seed, spp),
+    "best-candidate" => Candidates::new(seed, size, [LENS, LIGHT + 1], spp),
     "low-global" => masks.low().dithered(seed).global(),
     "low-stratified" => masks.low().dithered(seed).stratified(spp),
     "all-global" => masks.all().dithered(seed).global(),

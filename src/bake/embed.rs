@@ -68,7 +68,7 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
         }
         Kind::OverTime | Kind::FilteredOverTime => list(tiles.map(|tile| format!("ScalarMask::new({tile})"))),
         Kind::Offset2dOverTime => list(tiles.map(|tile| format!("VectorMask::new({tile})"))),
-        Kind::Retargeting => format!("{:?}, {}", retarget::STEP, tiles.collect::<String>()),
+        Kind::Retargeting => format!("{:?}, {}, {}", retarget::STEP, retarget::ROUNDS, tiles.collect::<String>()),
         _ => tiles.collect(),
     };
     format!(

@@ -96,7 +96,7 @@ pub fn retarget(seeds: &mut [u32], rows: Rows, frame: u32) {
     let (width, height) = extent(seeds.len(), rows);
     let [dx, dy] = SEED_PERMUTATION.place(frame);
     let mut round = 0;
-    while round < Retargeting::ROUNDS {
+    while round < SEED_PERMUTATION.rounds {
         let mut p = 0;
         let mut y = 0;
         while y < height {
@@ -208,17 +208,22 @@ fn swap(seeds: &mut [u32], p: usize, q: usize) {
 pub struct Retargeting {
     /// Pixels that the mask moves by in every frame.
     step: [u32; 2],
+    rounds: u32,
     /// Four bits for each round: how many pixels further the partner is, in rows of five; 0 is none.
     codes: [[u16; 64]; 64],
 }
 
 impl Retargeting {
-    /// Rounds of swaps, one after the other.
-    pub const ROUNDS: u32 = 3;
-
     /// For the table that build.rs writes.
-    pub(crate) const fn new(step: [u32; 2], codes: [[u16; 64]; 64]) -> Self {
-        Self { step, codes }
+    pub(crate) const fn new(step: [u32; 2], rounds: u32, codes: [[u16; 64]; 64]) -> Self {
+        Self { step, rounds, codes }
+    }
+
+    /// Rounds of swaps, one after the other.
+    #[inline]
+    #[must_use]
+    pub const fn rounds(&self) -> u32 {
+        self.rounds
     }
 
     /// How far from the pixel itself the mask is read in a frame: pixels in x and y.
@@ -233,7 +238,7 @@ impl Retargeting {
     #[inline]
     #[must_use]
     pub const fn partner(&self, round: u32, x: u32, y: u32) -> Option<(isize, usize)> {
-        if round >= Self::ROUNDS {
+        if round >= self.rounds {
             return None;
         }
         let code = (self.codes[y as usize & 63][x as usize & 63] >> (4 * round) & 15) as usize;
