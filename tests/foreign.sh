@@ -17,7 +17,8 @@ files=(bad_input casts controls directions dither hash keys_2019 lattice linear 
 if [ "${1:-}" = --all ]; then
     features+=,embedded-graphics,wgsl
     dropped='clap|image|indicatif|png'
-    mapfile -t files < <(ls tests/*.rs tests/*/main.rs | sed 's|/main.rs$||; s|\.rs$||; s|.*/||')
+    # All but one, whose masks are larger than an emulated machine should bake.
+    mapfile -t files < <(ls tests/*.rs tests/*/main.rs | sed 's|/main.rs$||; s|\.rs$||; s|.*/||' | grep -vx over_time)
 elif [ $# -gt 0 ]; then
     files=("$@")
 fi
