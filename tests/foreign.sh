@@ -1,25 +1,45 @@
 #!/usr/bin/env bash
-# Runs the tests on two machines that are not this one, under QEMU: 32-bit ARM, and s390x, whose byte order is the other.
-# Without --all only the tests of bits and structure that take seconds: the statistics of pictures, and the optimisers,
-# would judge the same bits again. Test files that are named run alone: `rebake` bakes every table there.
-# Missing packages are installed, for which it has to be root on Debian.
+# Machines that are not this one, under QEMU. Without arguments: the checksums of tests/firmware on s390x, whose byte order
+# is the other, against this machine's (32 bits are what tests/firmware/run.sh has). `foreign.sh FILE …` runs these files
+# of tests on s390x and on 32-bit ARM (`rebake` bakes every table), `foreign.sh --all` all of them, which takes long.
+# Missing packages are installed, for which it has to be root on Debian 12.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=${CARGO_TARGET_DIR:-$PWD/target}/foreign
 mkdir -p "$root"
 tests/packages.sh foreign
 
+# The standard library of these machines is built from source, by the compiler that its source is of.
+export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=$root BLUEDITHER_EFFORT=quick
+export CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc
+export CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_RUNNER="qemu-s390x-static -L /usr/s390x-linux-gnu"
+export CARGO_TARGET_ARMV7_UNKNOWN_LINUX_GNUEABIHF_LINKER=arm-linux-gnueabihf-gcc
+export CARGO_TARGET_ARMV7_UNKNOWN_LINUX_GNUEABIHF_RUNNER="qemu-arm-static -L /usr/arm-linux-gnueabihf"
+targets=(armv7-unknown-linux-gnueabihf s390x-unknown-linux-gnu)
+
+if [ $# -eq 0 ]; then
+    cd tests/firmware
+    options=(--quiet --release --bin host --target-dir "$root/../firmware")
+    /usr/bin/cargo build "${options[@]}"
+    # Building takes all the time.
+    export CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=false CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16
+    /usr/bin/cargo build "${options[@]}" -Zbuild-std=std,panic_abort --target=s390x-unknown-linux-gnu
+    here=$("$root/../firmware/release/host")
+    there=$(qemu-s390x-static -L /usr/s390x-linux-gnu "$root/../firmware/s390x-unknown-linux-gnu/release/host")
+    diff <(echo "$here") <(echo "$there") || { echo "s390x differs from this machine"; exit 1; }
+    echo "s390x: $(wc -l <<<"$here") families as on this machine"
+    exit
+fi
+
 features=bytemuck,float,gamma,keys-64,lattice-64,offset-1d-64,offset-2d-64,pattern,seed-permutation,sobol-16,sobol-64
 features+=,threshold-16,threshold-32,threshold-64,threshold-over-time-32,warp
 dropped='clap|embedded-graphics|glam|image|indicatif|png'
-files=(bad_input casts controls directions dither hash keys_2019 lattice linear mask pattern rank1 sizes sobol torus unit
-    warp zorder)
 if [ "${1:-}" = --all ]; then
     features+=,embedded-graphics,wgsl
     dropped='clap|image|indicatif|png'
     # All but one, whose masks are larger than an emulated machine should bake.
     mapfile -t files < <(ls tests/*.rs tests/*/main.rs | sed 's|/main.rs$||; s|\.rs$||; s|.*/||' | grep -vx over_time)
-elif [ $# -gt 0 ]; then
+else
     files=("$@")
 fi
 
@@ -34,13 +54,6 @@ awk '/^\[\[example\]\]/ { skip = 1; next } /^\[/ { skip = 0 } !skip' "$copy/Carg
 mv "$root/Cargo.toml" "$copy/Cargo.toml"
 cd "$copy"
 
-# The standard library of these machines is built from source, by the compiler that its source is of.
-export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1 CARGO_TARGET_DIR=$root BLUEDITHER_EFFORT=quick
-export CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc
-export CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_RUNNER="qemu-s390x-static -L /usr/s390x-linux-gnu"
-export CARGO_TARGET_ARMV7_UNKNOWN_LINUX_GNUEABIHF_LINKER=arm-linux-gnueabihf-gcc
-export CARGO_TARGET_ARMV7_UNKNOWN_LINUX_GNUEABIHF_RUNNER="qemu-arm-static -L /usr/arm-linux-gnueabihf"
-targets=(armv7-unknown-linux-gnueabihf s390x-unknown-linux-gnu)
 options=(--quiet --release --no-default-features --features "$features" -Zbuild-std=std,panic_unwind,test "${files[@]/#/--test=}")
 /usr/bin/cargo test "${options[@]}" --no-run "${targets[@]/#/--target=}"
 running=()

@@ -52,7 +52,8 @@ pub(crate) fn masks() -> u32 {
     let keys = Keys::<4>::from_slice(&ranks.map(|rank| [rank; 2])).map_or([0; 2], |keys| keys.key(7, 9));
     let refused = ScalarMask::<4>::from_slice(&ranks[1..]).is_none();
     let own = [scalar, vector[0], vector[1], keys[0], keys[1], u32::from(refused)];
-    let own = own.into_iter().chain(THRESHOLD_64.bytes().iter().copied().map(u32::from).take(1));
+    let bytes = THRESHOLD_64.bytes().first_chunk().map_or(0, |&rank| u16::from_ne_bytes(rank));
+    let own = own.into_iter().chain([bytes.into()]);
     fold(own.chain((0..4096).flat_map(|p| {
         let (x, y) = (p % 64, p / 64);
         let [[a, b], [c, d], [e, f]] = [OFFSET_2D_64.value_fx(x, y), LATTICE_64.value_fx(x, y), KEYS_64.key(x, y)];
