@@ -31,7 +31,7 @@ pub extern "C" fn places(x: u32, y: u32, frame: u32) -> u32 {
     const PAIR: VectorMask<2, 2> = VectorMask::new([[[0, 1], [1, 0]], [[2, 3], [3, 2]]]);
     static PAIRS: PairTimeMask<2, 2> = PairTimeMask::new([PAIR, PAIR]);
     sum ^= PAIRS.frame(frame).value_fx(x, y)[0] ^ PAIRS.frames()[1].value_fx(x, y)[1];
-    sum ^= SEED_PERMUTATION.rounds() as u32;
+    sum ^= SEED_PERMUTATION.rounds();
     sum ^= SEED_PERMUTATION.place(frame)[1] ^ u32::from(SEED_PERMUTATION.codes()[3][4]);
     sum ^= SEED_PERMUTATION.partner(frame, x, y).map_or(0, |(right, down)| right as u32 ^ down as u32);
     sum ^ u32::from(begins_block::<4>(y, frame))
