@@ -20,7 +20,7 @@ host=$("$CARGO_TARGET_DIR/release/host")
 run() {
     local name=$1 target=$2 expected stack
     shift 2
-    output=$(timeout 60 "$@" -nographic -semihosting-config enable=on,target=native \
+    output=$(timeout 300 "$@" -nographic -semihosting-config enable=on,target=native \
         -kernel "$CARGO_TARGET_DIR/$target/release/metal" 2>&1 | tr -d '\r') || { echo "$name failed: $output"; return 1; }
     expected=$host
     [ "$name" != Cortex-M0 ] || expected=$(grep -v '^keys of 2019' <<<"$host") # for which it has no room
