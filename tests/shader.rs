@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use bluedither::shader::{self, Parts, Table};
 use bluedither::tables::{LINEAR_ORDER, OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{ScalarMask, VectorMask};
+use bluedither::{ScalarMask, VectorMask, torus};
 
 const PARTS: [(&str, Parts); 32] = [
     ("unit", shader::UNIT),
@@ -180,5 +180,20 @@ fn the_linear_order_is_laid_out_as_its_shader_reads_it() {
         let singles = (0..24).filter(|k| index_rev >> (23 - k) & 1 == 1).map(|k| long(864 + 2 * k));
         let sum = nibbles.into_iter().chain(singles).fold(0, |sum, word| sum ^ word);
         assert_eq!(sum, LINEAR_ORDER.sequence.packed_rev(index_rev));
+    }
+}
+
+/// A constant that stands in both: it is seen to be the same without a device.
+#[test]
+fn steps_of_the_torus_are_those_of_rust() {
+    let text: String = shader::TORUS.texts().collect();
+    let start = torus::offset(0, 0, 0, 0, 32);
+    for (domain, pad, frame) in [(1, 0, 0), (0, 1, 0), (0, 0, 1)] {
+        let place = torus::offset(0, domain, pad, frame, 32);
+        let [x, y] = [0, 1].map(|k: usize| place[k].wrapping_sub(start[k]));
+        assert!(
+            text.contains(&format!("vec2<u32>({x:#010x}u, {y:#010x}u)")),
+            "torus.wgsl is behind torus.rs: {x:#x} {y:#x}"
+        );
     }
 }
