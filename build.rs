@@ -71,7 +71,7 @@ fn run() -> Result<(), String> {
         println!("cargo::warning=BLUEDITHER_FILTER changes nothing: add feature threshold-filtered-64");
     }
     if !counts.is_empty() {
-        text += &directions(&counts)?;
+        text += &directions(&counts, &tables)?;
     }
     let path = Path::new(&var("OUT_DIR")).join("tables.rs");
     std::fs::write(&path, text).map_err(|error| format!("{} cannot be written ({error})", path.display()))
@@ -81,16 +81,15 @@ fn bake_all(recipes: &[Recipe], effort: Effort, inputs: &Inputs, digests: &Diges
     use_as_many_threads_as_cargo();
     let start = Instant::now();
     let mut texts = vec![String::new(); recipes.len()];
-    let bake = |recipe: Recipe| recipe.bake(effort, inputs);
-    let finish = |recipe, ranks: &[u16], start| finish(recipe, effort, inputs, digests, ranks, start);
+    let write = |recipe, ranks: &[u16], start| finish(recipe, effort, inputs, digests, ranks, start);
     rayon::scope(|scope| {
         for (text, &recipe) in texts.iter_mut().zip(recipes).filter(|(_, recipe)| recipe.base().is_none()) {
             scope.spawn(move |_| {
                 let start = Instant::now();
-                let ranks = bake(recipe);
-                *text = finish(recipe, &ranks, start);
+                let ranks = recipe.bake(effort, inputs);
+                *text = write(recipe, &ranks, start);
                 for derived in recipes.iter().filter(|derived| derived.base() == Some(recipe)) {
-                    *text += &finish(*derived, &derived.derive(&ranks), start);
+                    *text += &write(*derived, &derived.derive(&ranks), start);
                 }
             });
         }
@@ -125,9 +124,8 @@ fn chosen_filter() -> Result<Filter, String> {
     found.ok_or_else(|| format!("BLUEDITHER_FILTER is {text:?}: {}", filter::CURE))
 }
 
-fn directions(counts: &[usize]) -> Result<String, String> {
-    let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
-    let all = bake::directions::read(&tables, &Digests::read(&tables)?)?;
+fn directions(counts: &[usize], tables: &Path) -> Result<String, String> {
+    let all = bake::directions::read(tables, &Digests::read(tables)?)?;
     Ok(counts.iter().map(|&count| bake::embed::directions(count, &all)).collect())
 }
 

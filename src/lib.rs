@@ -87,7 +87,7 @@
 //! | `threshold-filtered-64` | a threshold mask for the filter that comes after it, see below | 8,192 |
 //! | `threshold-filtered-over-time-64` | the same for each of 16 frames and a moving average; the same caution | 131,072 |
 //! | `seed-permutation` | `frames::seeds`: swaps of seeds between frames; see the caution there | 8,192 |
-//! | `warp` (default) | `warp`: disk, hemisphere, triangle, Gaussian; needs `libm` | |
+//! | `warp` (default) | `warp`: disk, sphere, hemisphere, triangle, Gaussian; needs `libm` | |
 //! | `bytemuck` (default) | `bytes()` of every mask; needs `bytemuck` | |
 //! | `pattern` (default) | `pattern`: a pixel's whole set at once; needs `heapless` | |
 //! | `float` | rows of `f32` in [`dither`] | |

@@ -11,7 +11,7 @@ use rand::{Rng, SeedableRng};
 #[path = "../src/bake/mod.rs"]
 mod bake;
 
-use bake::anneal::{Features, LANES, anneal, over_time};
+use bake::anneal::{Features, LANES, anneal};
 use bake::features::{Column, Pattern, value_order, value_set, vectors};
 use bake::inputs::Inputs;
 use bake::recipe::OFFSET_TIME_KERNEL;
@@ -57,11 +57,8 @@ impl Problem {
     }
 
     fn anneal(&self, proposals: usize, seed: u64) -> Vec<u16> {
-        if self.frames_log2 == 0 {
-            return anneal(self.size_log2, &self.features, &self.order, &self.kernel, proposals, seed);
-        }
         let sizes = [self.size_log2, self.frames_log2];
-        over_time(sizes, &self.features, &self.order, &self.kernel, &self.time_kernel, proposals, seed)
+        anneal(sizes, &self.features, &self.order, &self.kernel, &self.time_kernel, proposals, seed)
     }
 
     fn lane(&self, item: u16, lane: usize) -> i64 {

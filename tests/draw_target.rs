@@ -4,7 +4,7 @@
 use bluedither::Dither;
 use bluedither::dither::target::DitherTarget;
 use embedded_graphics::mock_display::MockDisplay;
-use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray8, Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
 
@@ -63,6 +63,16 @@ fn every_way_to_draw_gives_the_same() {
         };
         assert_eq!(found, Rgb565::new(level(0, 120, 32), level(1, 33, 64), level(2, 201, 32)));
     }
+}
+
+/// What primaries weigh on a display of greys, ITU-R BT.709: .2126, .7152 and .0722 of 15, by a threshold of one half.
+#[test]
+fn greys_of_primaries() {
+    let mut display = MockDisplay::<Gray4>::new();
+    let mut screen = DitherTarget::new(&mut display, Dither::constant(1 << 31));
+    let colors = [Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE, Rgb888::YELLOW];
+    screen.fill_contiguous(&Rectangle::new(Point::zero(), Size::new(4, 1)), colors).expect("infallible");
+    display.assert_pattern(&["3B1E"]);
 }
 
 /// A grey on a display of colours is what the RGB of that grey is.

@@ -97,14 +97,6 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
         ($table:ident, frames) => {
             bluedither::tables::$table.frames().iter().flat_map(|mask| mask.ranks().as_flattened().to_vec()).collect()
         };
-        ($table:ident, groups) => {
-            bluedither::tables::$table
-                .groups()
-                .iter()
-                .flat_map(|group| group.frames())
-                .flat_map(|mask| mask.ranks().as_flattened().to_vec())
-                .collect()
-        };
         ($table:ident, pairs) => {
             bluedither::tables::$table
                 .frames()
@@ -139,7 +131,7 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     table!("lattice-64", "lattice_64", LATTICE_64, vector);
     table!("threshold-over-time-32", "threshold_over_time_32", THRESHOLD_OVER_TIME_32, frames);
     table!("threshold-over-time-64", "threshold_over_time_64", THRESHOLD_OVER_TIME_64, frames);
-    table!("threshold-over-time-128", "threshold_over_time_128", THRESHOLD_OVER_TIME_128, groups);
+    table!("threshold-over-time-128", "threshold_over_time_128", THRESHOLD_OVER_TIME_128, frames);
     table!("offset-2d-over-time-32", "offset_2d_over_time_32", OFFSET_2D_OVER_TIME_32, pairs);
     table!("offset-2d-over-time-64", "offset_2d_over_time_64", OFFSET_2D_OVER_TIME_64, pairs);
     table!("threshold-filtered-64", "threshold_filtered_64", THRESHOLD_FILTERED_64, scalar);

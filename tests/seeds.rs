@@ -227,8 +227,9 @@ fn first_seeds(seed: u32) -> Vec<u32> {
     (0..(SIZE * SIZE) as u32).map(|p| hash::combine(seed, p)).collect()
 }
 
-/// The filtered error of a frame over that of white noise, at both sigmas. White is the first frame.
-fn after_frames<const SIDE: usize>(frames: u32, exact: &[f32]) -> [f64; 2] {
+/// The filtered error of a frame over that of white noise, at both sigmas, with the second step or without. White is the
+/// first frame.
+fn after_frames<const SIDE: usize>(frames: u32, retarget: bool, exact: &[f32]) -> [f64; 2] {
     let error = |image: &[f32]| ErrorImage {
         size: SIZE,
         errors: image.iter().zip(exact).map(|(&a, &b)| f64::from(a) - f64::from(b)).collect(),
@@ -237,7 +238,11 @@ fn after_frames<const SIDE: usize>(frames: u32, exact: &[f32]) -> [f64; 2] {
     let mut image = render(&seeds, 0.0, 1);
     let white = error(&image);
     for frame in 0..frames {
-        seeds::permute::<SIDE>(&mut seeds, &image, SIZE as u32, frame);
+        if retarget {
+            seeds::permute::<SIDE>(&mut seeds, &image, SIZE as u32, frame);
+        } else {
+            seeds::sort::<SIDE>(&mut seeds, &image, Rows { width: SIZE as u32, first: 0 }, frame);
+        }
         image = render(&seeds, 0.0, 1);
     }
     SIGMAS.map(|sigma| error(&image).filtered_rms(sigma) / white.filtered_rms(sigma))
@@ -248,11 +253,13 @@ fn after_frames<const SIDE: usize>(frames: u32, exact: &[f32]) -> [f64; 2] {
 #[test]
 fn six_frames_halve_the_filtered_error_of_paths() {
     let exact = render(&first_seeds(99), 0.0, 64);
-    let eight = after_frames::<8>(6, &exact);
-    let four = after_frames::<4>(6, &exact);
-    let none = after_frames::<8>(0, &exact);
-    println!("8x8 {eight:.3?}, 4x4 {four:.3?}, none {none:.3?}");
+    let eight = after_frames::<8>(6, true, &exact);
+    let four = after_frames::<4>(6, true, &exact);
+    let none = after_frames::<8>(0, true, &exact);
+    let sorted = [after_frames::<8>(6, false, &exact), after_frames::<4>(6, false, &exact)];
+    println!("8x8 {eight:.3?}, 4x4 {four:.3?}; by sorting alone {sorted:.3?}; none {none:.3?}");
     assert!(eight[0] <= 0.52 && eight[1] <= 0.48, "8x8: {eight:?}");
     assert!(four[0] <= 0.48 && four[1] <= 0.56, "4x4, which sorting alone does not reach: {four:?}");
+    assert!(sorted[1][0] > 0.48, "4x4 by sorting alone: {sorted:?}");
     assert_eq!(none, [1.0; 2]);
 }

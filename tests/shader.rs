@@ -87,7 +87,7 @@ fn declared(text: &str) -> Vec<String> {
 
 /// What a table's text declares, and its sizes.
 fn given_by_tables() -> BTreeSet<String> {
-    let texts = TABLES.iter().flat_map(|table| [table.storage, table.size(64)]);
+    let texts = TABLES.iter().flat_map(|table| [table.storage, table.size_text(64)]);
     texts.flat_map(declared).chain(["BD_OVER_TIME_FRAMES".to_string()]).collect()
 }
 
@@ -140,10 +140,10 @@ fn tables_have_bindings_of_their_own() {
 #[test]
 fn sizes_are_written_as_the_text_reads_them() {
     for (side, log2) in [(0, 0), (1, 0), (2, 1), (64, 6), (100, 6), (256, 8), (usize::MAX, 8)] {
-        assert_eq!(shader::SCALAR_MASK.size(side), format!("const BD_SCALAR_LOG2 = {log2}u;\n"));
+        assert_eq!(shader::SCALAR_MASK.size_text(side), format!("const BD_SCALAR_LOG2 = {log2}u;\n"));
     }
-    assert_eq!(shader::DIRECTION_NUMBERS.size(1024), "const BD_DIRECTIONS_COUNT = 1024u;\n");
-    assert_eq!(shader::LINEAR_ORDER.size(64), "");
+    assert_eq!(shader::DIRECTION_NUMBERS.size_text(1024), "const BD_DIRECTIONS_COUNT = 1024u;\n");
+    assert_eq!(shader::LINEAR_ORDER.size_text(64), "");
 }
 
 #[test]
@@ -183,17 +183,128 @@ fn the_linear_order_is_laid_out_as_its_shader_reads_it() {
     }
 }
 
-/// A constant that stands in both: it is seen to be the same without a device.
+fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    let mut folders = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder of the crate") {
+            let path = entry.expect("an entry of a folder").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == ending) {
+                let text = std::fs::read_to_string(&path).expect("a text of the crate");
+                found.push((path.to_string_lossy().into_owned(), text));
+            }
+        }
+    }
+    found
+}
+
+/// Constants that stand in both: numbers without a pattern are somewhere in Rust, by themselves or as half of a word, so
+/// that one that is changed there alone is noticed without a device.
+#[test]
+fn constants_are_those_of_rust() {
+    let rust: String = files("src", "rs").into_iter().map(|(_, text)| text.replace('_', "")).collect();
+    let mut count = 0;
+    for (path, text) in files("src/wgsl", "wgsl") {
+        let code = code(&text);
+        for literal in code.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(|word| word.strip_prefix("0x")) {
+            let digits = literal.trim_end_matches('u');
+            let Ok(value) = u32::from_str_radix(digits, 16) else { continue }; // a float
+            // Runs of ones are masks and shifts.
+            let turned = value >> value.trailing_zeros().min(31);
+            if digits.len() > 4 && turned & turned.wrapping_add(1) != 0 && value != 0x5555_5555 {
+                assert!(rust.contains(digits), "{path}: {literal} is not in Rust");
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 40, "{count}");
+}
+
+/// The steps of the torus, each by its name: a search for numbers would not see two of them exchanged.
 #[test]
 fn steps_of_the_torus_are_those_of_rust() {
     let text: String = shader::TORUS.texts().collect();
     let start = torus::offset(0, 0, 0, 0, 32);
-    for (domain, pad, frame) in [(1, 0, 0), (0, 1, 0), (0, 0, 1)] {
+    for (name, [domain, pad, frame]) in [("domain", [1, 0, 0]), ("pad", [0, 1, 0]), ("frame", [0, 0, 1])] {
         let place = torus::offset(0, domain, pad, frame, 32);
         let [x, y] = [0, 1].map(|k: usize| place[k].wrapping_sub(start[k]));
-        assert!(
-            text.contains(&format!("vec2<u32>({x:#010x}u, {y:#010x}u)")),
-            "torus.wgsl is behind torus.rs: {x:#x} {y:#x}"
-        );
+        assert!(text.contains(&format!("{name} * vec2<u32>({x:#010x}u, {y:#010x}u)")), "{name}: {x:#x} {y:#x}");
     }
+}
+
+/// What no shader needs, or has by another name. Everything else that is public has a function of its name.
+const LEFT_OUT: &[(&str, &str)] = &[
+    ("fill", "rows and lists"),
+    ("fill_fx", "rows and lists"),
+    ("fill_row", "rows and lists"),
+    ("fill_row_fx", "rows and lists"),
+    ("over_row", "rows and lists"),
+    ("pattern", "rows and lists"),
+    ("draw", "draw1 to draw4"),
+    ("draw_fx", "draw1_fx to draw4_fx"),
+    ("r_64", "r1_64 to r4_64"),
+    ("to_f64", "WGSL has none"),
+    ("with_mask", "the tables that are bound"),
+    ("with_masks", "the tables that are bound"),
+    ("with_keys", "the tables that are bound"),
+    ("from_slice", "the tables that are bound"),
+    ("from_slices", "the tables that are bound"),
+    ("ranks", "the tables that are bound"),
+    ("bytes", "the tables that are bound"),
+    ("digits", "the tables that are bound"),
+    ("codes", "the tables that are bound"),
+    ("frames", "the tables that are bound"),
+    ("known", "inside with_spp"),
+    ("directions", "the tables that are bound"),
+    ("rounds", "a constant of the pass"),
+    ("gamma", "bd_gamma_level"),
+    ("permute", "the pass"),
+    ("retarget", "the pass"),
+    ("sort", "the pass"),
+];
+
+/// A function that is new in Rust is new in WGSL, or stands above.
+#[test]
+fn public_functions_have_twins() {
+    let all: String = shader::ALL.texts().map(code).collect();
+    let declared: Vec<String> = all.lines().filter_map(|line| line.strip_prefix("fn bd_")).map(String::from).collect();
+    let has = |name: &str| {
+        // bd_…_name, or with the number of components behind it.
+        declared.iter().any(|line| {
+            let line = line.split('(').next().unwrap_or_default();
+            line.trim_end_matches(|c: char| c.is_ascii_digit())
+                .ends_with(&format!("_{}", name.trim_end_matches(|c: char| c.is_ascii_digit())))
+        })
+    };
+    let skipped = [
+        "/bake/",
+        "/shader/",
+        "/warp.rs",
+        "/candidate.rs",
+        "/pattern.rs",
+        "/effort.rs",
+        "/tables.rs",
+        "/rows.rs",
+        "/samples.rs",
+        "/target.rs",
+        "/kernel.rs",
+        "/bits.rs",
+        "/row.rs",
+    ];
+    let mut missing = Vec::new();
+    for (path, text) in files("src", "rs") {
+        if skipped.iter().any(|part| path.replace('\\', "/").contains(part)) {
+            continue;
+        }
+        for line in text.lines().map(str::trim_start) {
+            let rest = line.strip_prefix("pub const fn ").or_else(|| line.strip_prefix("pub fn "));
+            let Some(name) = rest.and_then(|rest| rest.split(['(', '<']).next()) else { continue };
+            if !has(name) && !LEFT_OUT.iter().any(|(left_out, _)| *left_out == name) {
+                missing.push(format!("{name} of {path}"));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "neither in src/wgsl nor in LEFT_OUT: {missing:#?}");
 }

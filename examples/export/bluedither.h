@@ -4,8 +4,10 @@
  * bluedither @version@, tables baked at @effort@ effort. Written by `cargo run -p export -- --lang c`: do not edit.
  *
  * Functions of the Rust crate bluedither, bit by bit the same, under the same names: `bd_`, the module or type, the name.
- * Here are the samplers Sampler, ZOrder, Keyed and White, and what they are made of; masks, shifts, thresholds and levels.
- * The others (Dithered, Rank1, Constant, lattices, rows of pixels, time) are in the crate, and most in its WGSL. Nothing but <stdint.h>; no memory, no state. Floats come from `draw` and `value` only, where no `_fx` follows.
+ * Here are the samplers Sampler, ZOrder, Keyed and White, and what they are made of; masks, also over time; shifts;
+ * thresholds of a mask, levels, and rows of 1 bit. What is not here is in the crate, and most of it in its WGSL: Dithered,
+ * Rank1 and Constant, lattices, the rest of strata, other halftones and formats of pixels, seed permutation.
+ * Nothing but <stdint.h>; no memory, no state. Floats come from `draw` and `value` only, where no `_fx` follows.
  * Every argument of a function is defined; signed coordinates are cast to uint32_t, and tiles repeat. All is `static`: an
  * optimising compiler links a table with every source file that uses it, others with every one that includes this. So
  * use it in one, and write the tables that you need by `--mask`.

@@ -2,7 +2,7 @@
 
 struct Show {
     size: vec2<u32>,
-    // 0: the picture; 1: blurred; 2: the error, times 6, around grey; 3: the error, blurred and times 12.
+    // 0: the picture; 1: blurred; 2: the error, times 3, around grey; 3: the error, blurred and times 6.
     mode: u32,
 }
 
@@ -32,7 +32,7 @@ fn color(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
     }
     let mean = sum / weights;
     if show.mode >= 2u {
-        return vec4<f32>(0.5 + select(6.0, 12.0, blurred) * mean * 0.5, 1.0);
+        return vec4<f32>(0.5 + select(3.0, 6.0, blurred) * mean, 1.0);
     }
     return vec4<f32>(encoded(mean), 1.0);
 }

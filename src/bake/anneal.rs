@@ -42,24 +42,13 @@ const FIRST_THRESHOLD: u64 = 65;
 /// What the lanes after the first eight may take off a Δ, in thresholds: found by trial, 1 loses and 8 wins nothing.
 const SCREEN: i32 = 4;
 
-/// Swaps the items of a tile of 2^`size_log2` squared pixels and returns the item of every pixel, row by row.
+/// Swaps the items of 2^`frames_log2` tiles of 2^`size_log2` squared pixels, within each, and returns the item of every
+/// pixel, row by row, tile after tile.
 ///
-/// Item i has `features[i]` and is number `order[i]` in an order in which near values stand near; `kernel[r²]` are the
-/// weights. `proposals` swaps a pixel are tried.
+/// Item i has `features[i]` and is number `order[i]` in an order in which near values stand near. `kernel[r²]` are the
+/// weights in a tile, `time_kernel[t]` at t frames' distance, of which that at 0 is not read; one tile needs none.
+/// `proposals` swaps a pixel are tried.
 pub fn anneal(
-    size_log2: u32,
-    features: &[Features],
-    order: &[u16],
-    kernel: &[i32],
-    proposals: usize,
-    seed: u64,
-) -> Vec<u16> {
-    over_time([size_log2, 0], features, order, kernel, &[], proposals, seed)
-}
-
-/// The same of 2^`frames_log2` tiles, one after the other; `time_kernel[t]` is the weight at t frames' distance, of which
-/// that at 0 is not read.
-pub fn over_time(
     [size_log2, frames_log2]: [u32; 2],
     features: &[Features],
     order: &[u16],

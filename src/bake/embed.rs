@@ -26,25 +26,19 @@ pub fn filter(filter: Filter) -> String {
     )
 }
 
-/// Frames that one `static` holds, of masks that would be above 128 KiB: larger ones cost the compiler much memory.
-const GROUP: usize = 4;
-
 /// One `static` of the table's type, with its docs.
 pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
     let (size, frames) = (recipe.size(), recipe.frames());
     let scalar = || format!("ScalarMask::<{size}>");
     let vector = || format!("VectorMask::<2, {size}>");
     let over_time = |mask| format!("crate::frames::masks::{mask}::<{size}, {frames}>");
-    let grouped = recipe.bytes() > 131_072 && frames > 1;
-    let groups = || format!("crate::frames::masks::LongTimeMask::<{size}, {GROUP}, {}>", frames / GROUP);
     let keys = || format!("Keys::<{size}>");
     let (what, made) = match recipe.kind {
         Kind::Threshold => ("Threshold mask (void-and-cluster)", scalar()),
         Kind::Offset1d => ("Offset mask of one channel", scalar()),
         Kind::Offset2d => ("Offset mask of two channels", vector()),
-        Kind::OverTime if grouped => ("Threshold masks over time (void-and-cluster)", groups()),
         Kind::OverTime => ("Threshold masks over time (void-and-cluster)", over_time("TimeMask")),
-        Kind::Offset2dOverTime => ("Offset masks of two channels over time", over_time("PairTimeMask")),
+        Kind::Offset2dOverTime => ("Offset masks of two channels over time", over_time("VectorTimeMask")),
         Kind::Filtered => ("Threshold mask for [`FILTER`]", scalar()),
         Kind::FilteredOverTime => ("Threshold masks over time for [`FILTER`]", over_time("TimeMask")),
         Kind::Retargeting => {
@@ -58,16 +52,12 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
     let several = if frames == 1 { String::new() } else { format!(", {frames} frames") };
     let tiles = ranks.chunks(ranks.len() / frames).map(|tile| rows(recipe, tile));
     let numbers = match recipe.kind {
-        Kind::OverTime if grouped => {
-            let group = |group: &[String]| {
-                let masks = list(group.iter().map(|tile| format!("ScalarMask::new({tile})")));
-                let made = format!("crate::frames::masks::TimeMask::<{size}, {GROUP}>");
-                format!("{{ static GROUP: {} = {made}::new({masks}); &GROUP }}", made.replace("::<", "<"))
-            };
-            list(tiles.collect::<Vec<_>>().chunks(GROUP).map(group))
+        // A `static` a frame: larger ones cost the compiler much memory.
+        Kind::OverTime | Kind::FilteredOverTime | Kind::Offset2dOverTime => {
+            let mask = if recipe.channels() == 1 { scalar() } else { vector() };
+            let kind = mask.replace("::<", "<");
+            list(tiles.map(|tile| format!("{{ static FRAME: {kind} = {mask}::new({tile}); &FRAME }}")))
         }
-        Kind::OverTime | Kind::FilteredOverTime => list(tiles.map(|tile| format!("ScalarMask::new({tile})"))),
-        Kind::Offset2dOverTime => list(tiles.map(|tile| format!("VectorMask::new({tile})"))),
         Kind::Retargeting => format!("{:?}, {}, {}", retarget::STEP, retarget::ROUNDS, tiles.collect::<String>()),
         _ => tiles.collect(),
     };

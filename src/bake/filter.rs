@@ -11,6 +11,8 @@
 //! ```
 //! A space and a time filter multiply: what is far in both matters little.
 
+use super::inputs;
+use super::recipe::OWN;
 use super::void_and_cluster::Window;
 
 /// Of space, of time, or both: what is not named is as in the default.
@@ -91,7 +93,6 @@ impl Filter {
     /// By the product alone a single frame would have a third more error, and without the space filter the moving average
     /// would be white; so what a still mask and a pixel's own sequence need is added.
     pub fn over_time(self, frames_log2: u32) -> Vec<Window> {
-        const OWN: f64 = 0.7; // as in `recipe::TIME_KERNEL`
         let (frames, radius) = (1usize << frames_log2, self.space.radius());
         let time: Vec<f64> = (0..=frames / 2).map(|t| self.repeated(t, frames)).collect();
         let scale = scale(self.space.total() * (1.0 + 2.0 * time.iter().sum::<f64>()) + 2.0 * time.iter().sum::<f64>());
@@ -137,8 +138,7 @@ impl Space {
     /// boxes, which do let it through, lose a tenth by it.
     fn kernel(self, dx: usize, dy: usize) -> f64 {
         let both = self.along(dx) * self.along(dy);
-        // As in `inputs::VOID_AND_CLUSTER`.
-        let narrow = || libm::exp(-((dx * dx + dy * dy) as f64) / 3.92);
+        let narrow = || libm::exp(-((dx * dx + dy * dy) as f64) / inputs::NARROW);
         if matches!(self, Self::Box(_)) { both } else { both + narrow() }
     }
 

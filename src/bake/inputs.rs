@@ -39,10 +39,12 @@ pub struct Inputs {
 /// A list that is a formula: file name, number of entries, entry.
 type Formula = (&'static str, usize, fn(f64) -> f64);
 
+/// 2·1.4²: the narrower Gaussian of the next.
+pub const NARROW: f64 = 3.92;
 /// 2²⁰·(exp(−r²/(2·1.4²)) + exp(−r²/(2·2.5²))/10). Ulichney's deviation of 1.5 alone leaves a twelfth more
 /// error on smooth integrands and a fortieth on steps; the wide part holds down what is left after a wide filter.
 pub const VOID_AND_CLUSTER: Formula =
-    ("void_and_cluster_kernel", 101, |r2| 1_048_576.0 * (libm::exp(-r2 / 3.92) + 0.1 * libm::exp(-r2 / 12.5)));
+    ("void_and_cluster_kernel", 101, |r2| 1_048_576.0 * (libm::exp(-r2 / NARROW) + 0.1 * libm::exp(-r2 / 12.5)));
 /// 128·exp(−r²/2.2²), up to a distance of 4.9: the kernel of Georgiev and Fajardo, a little wider (2.1 leaves more error
 /// after wide filters, 2.3 after narrow ones).
 pub const ANNEAL: Formula = ("anneal_kernel", 25, |r2| 128.0 * libm::exp(-r2 / 4.84));

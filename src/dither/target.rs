@@ -6,7 +6,8 @@
 //! ```
 //!
 //! Colours that are drawn are [`Rgb888`] or [`Gray8`]; grey displays take the luma of RGB, and a grey is drawn on colour
-//! displays as the RGB that is as bright. Nothing is read back and nothing stored: every pixel is dithered at its own place, so that parts drawn at different times fit.
+//! displays as the RGB that is as bright. Nothing is read back and nothing stored: every pixel is dithered at its own
+//! place, so that parts drawn at different times fit.
 
 use super::Dither;
 use embedded_graphics_core::Pixel;

@@ -4,8 +4,8 @@
 //! |---|---|---|
 //! | anything: the default | the samplers' `frame`: frames average as independent ones do, each as blue as the first | |
 //! | a threshold or one number a pixel, and frames that are averaged | [`TimeMask`](masks::TimeMask), feature `threshold-over-time-64` | 128 KiB |
-//! | the same, seamless and without a loop for a second | [`LongTimeMask`](masks::LongTimeMask), `threshold-over-time-128` | 2 MiB |
-//! | pairs of numbers, one sample a frame | [`PairTimeMask`](masks::PairTimeMask), `offset-2d-over-time-64` | 128 KiB |
+//! | the same on a tile of 128² pixels, with 64 frames before they repeat (a second at 60 Hz) | the same, `threshold-over-time-128` | 2 MiB |
+//! | pairs of numbers, one sample a frame, averaged over time alone (after a filter over pixels `Sampler` leaves less) | [`VectorTimeMask`](masks::VectorTimeMask), `offset-2d-over-time-64` | 128 KiB |
 //! | one of the first two, and a filter that you know | [`masks`], `threshold-filtered-64`, `threshold-filtered-over-time-64` | 8, 128 KiB |
 //! | paths of many dimensions, a picture that is smooth and moves little | `seeds`, `seed-permutation` | 8 KiB, and 8 KiB of `threshold-64` |
 //!

@@ -8,7 +8,8 @@
 //! A seed that was dark here will be dark a few pixels away, so the next frame's errors follow the mask. On a smooth wall
 //! (`tests/seeds.rs`) six frames leave .43 of white's filtered error with blocks of 4 pixels a side, and .53 without the
 //! second step; with 8 a side it is .39 and .36, since sorting alone moves seeds as far: there it helps the mean of frames
-//! after wider filters only. Both steps only permute: each seed is used once a frame, as it was before, so estimates stay unbiased over random first seeds.
+//! after wider filters only. Both steps only permute: each seed is used once a frame, as it was before, so estimates stay
+//! unbiased over random first seeds. (`cargo test --all-features --test seeds -- --nocapture` prints the figures.)
 //!
 //! For paths of many bounces, where samplers have nothing to offer over several pixels. It needs frames that resemble
 //! each other: after a cut it starts anew, and where the picture is rough, or moves by more than what is alike in it, the
@@ -30,7 +31,8 @@
 //!
 //! In place, without allocation, for pictures of any size: 64 seeds at a time are on the stack. Rows may be given in
 //! parts, to [`sort`] and [`retarget`] themselves; of `retarget`, up to six rows at a cut then differ from what the whole
-//! would give. Every frame costs a pass of sorting and three of swaps.
+//! would give. Every frame costs a pass of sorting and three of swaps: `cargo run --release -p report -- frames` prints
+//! nanoseconds a pixel.
 
 use crate::tables::{SEED_PERMUTATION, THRESHOLD_64};
 
@@ -45,6 +47,9 @@ pub struct Rows {
 
 /// Moves seeds from the places that they had in `frame` to those of the next one: [`sort`], then [`retarget`], of a whole
 /// picture of `width` pixels a row.
+///
+/// SIDE is 2, 4 or 8. With 8 frames seen one by one have less error by [`sort`] alone, and the mean of frames after a wide
+/// filter has less by this.
 ///
 /// `estimates` are what each pixel found in `frame`, as one number: its luminance, of one sample or of many. Infinite and
 /// undefined ones are sorted as any other; pixels without one, past the slice's end, count as brightest.

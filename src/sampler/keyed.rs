@@ -11,7 +11,7 @@ use crate::{hash, keys::Keys, torus};
 /// tile at a place of its own and visits the points in an order of its own, the same for all pixels, so that a domain
 /// costs a pixel one look-up and two XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points;
 /// from the 257th on another look-up for each bit set above the eighth. [`fill_row`](Self::fill_row) takes half as long
-/// as the tables of 2019, single draws up to 1.8 times (`report speed`).
+/// as the tables of 2019, single draws up to 1.8 times (`cargo run --release -p report -- speed`).
 ///
 /// The first samples of two domains or frames are as good as uncorrelated, by less than .08 over the pixels of a tile. A
 /// tile is patches of 16×16 pixels, each with digits of its own: from four samples on their errors show more of a pattern
@@ -70,11 +70,6 @@ pub struct KeyedPixel<'a, const S: usize = 64> {
 impl<const S: usize> KeyedPixel<'_, S> {
     // Inlined for certain: all but the look-up is the same for all pixels, which a compiler sees only then.
     #[inline(always)]
-    const fn single(self, domain: u32, pad: u32) -> KeyedPair {
-        self.pair(domain, pad)
-    }
-
-    #[inline(always)]
     const fn pair(self, domain: u32, pad: u32) -> KeyedPair {
         let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, Keys::<S>::SIZE_LOG2);
         let digits = self.sampler.keys.digits(self.x.wrapping_add(dx), self.y.wrapping_add(dy));
@@ -127,6 +122,6 @@ static POINTS_REV: [[u32; 2]; 256] = {
     points
 };
 
-call_shape!(impl['a, const S: usize] KeyedPixel<'a, S>);
+call_shape!(impl['a, const S: usize] KeyedPixel<'a, S>, pair);
 row_shape!(impl['a, const S: usize] Keyed<'a, S>);
-row_by_pixels!(impl['a, const S: usize] Keyed<'a, S>);
+row_by_pixels!(impl['a, const S: usize] Keyed<'a, S>, pair);

@@ -126,11 +126,13 @@ impl Sampler {
 const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
 
 /// The hash of a block.
+#[inline]
 const fn block(seed: u64, x: u32, y: u32) -> u64 {
     hash::mix_64(seed ^ ((y >> BLOCK_LOG2) as u64) << 32 ^ (x >> BLOCK_LOG2) as u64)
 }
 
 /// The hash of a pixel.
+#[inline]
 #[expect(clippy::cast_possible_truncation, reason = "half of a hash")]
 const fn own(block: u64, x: u32, y: u32) -> u32 {
     hash::mix(block as u32 ^ ((y & INSIDE) << BLOCK_LOG2 | x & INSIDE))
@@ -151,11 +153,6 @@ pub struct LinearPixel {
 }
 
 impl LinearPixel {
-    #[inline]
-    const fn single(self, domain: u32, pad: u32) -> LinearPair {
-        self.pair(domain, pad)
-    }
-
     #[inline]
     const fn pair(self, domain: u32, pad: u32) -> LinearPair {
         let shared = Shared::new(self.order, self.block, domain, pad);
@@ -206,6 +203,7 @@ impl Shared {
     /// What the key of a pixel differs by from that of its left neighbour, in a block, by the trailing zeros of x.
     #[inline]
     const fn columns_of_x(self) -> [u64; 8] {
+        // Eight and a mask, so that no bounds check is left.
         let mut columns = [0; 8];
         let (mut sum, mut bit) = (0, 0);
         while bit < BLOCK_LOG2 as usize {
@@ -218,6 +216,7 @@ impl Shared {
 }
 
 /// Digits where a key has them.
+#[inline]
 const fn in_place(digits: u32) -> u64 {
     (digits as u64 >> 16) << 48 | (digits as u64 & 0xffff) << 16
 }
@@ -247,5 +246,5 @@ impl Pair for LinearPair {
     }
 }
 
-call_shape!(impl[] LinearPixel);
+call_shape!(impl[] LinearPixel, pair);
 row_shape!(impl[] Sampler);

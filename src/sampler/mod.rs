@@ -58,12 +58,12 @@ impl<P: Pair> Single for P {
     }
 }
 
-/// The public draws of a pixel, made from its two private ones, `single(domain, pad)`, a [`Single`], and
-/// `pair(domain, pad)`, a [`Pair`], where `pad` is 1 for the second pair and else 0.
+/// The public draws of a pixel, made from its private `pair(domain, pad)`, a [`Pair`], where `pad` is 1 for the second pair
+/// and else 0, and from what gives a [`Single`] in the same way: `pair` again, or a method of its own.
 ///
 /// A macro and not a trait, so that a user needs no import and the docs of each sampler are whole.
 macro_rules! call_shape {
-    (impl[$($generics:tt)*] $pixel:ty) => {
+    (impl[$($generics:tt)*] $pixel:ty, $single:ident) => {
         impl<$($generics)*> $pixel {
             /// Sample `index` for purpose `domain`: D = 1..4 numbers in 0.32 fixed point. More is a compile error.
             ///
@@ -81,7 +81,7 @@ macro_rules! call_shape {
                     if k + 1 < D {
                         [out[k], out[k + 1]] = $crate::sampler::Pair::point(self.pair(domain, pad), index.reverse_bits());
                     } else {
-                        out[k] = $crate::sampler::Single::value(self.single(domain, pad), index.reverse_bits());
+                        out[k] = $crate::sampler::Single::value(self.$single(domain, pad), index.reverse_bits());
                     }
                     k += 2;
                 }
@@ -118,7 +118,7 @@ macro_rules! call_shape {
                 targets: impl Iterator<Item = T>,
                 put: impl Fn(T, u32),
             ) {
-                let single = self.single(domain, pad);
+                let single = self.$single(domain, pad);
                 let value = |index_rev| $crate::sampler::Single::value(single, index_rev);
                 $crate::sampler::each_rev(first, targets, value, put);
             }

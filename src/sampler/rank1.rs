@@ -66,11 +66,6 @@ pub struct Rank1Pixel<'a, const S: usize = 64> {
 impl<const S: usize> Rank1Pixel<'_, S> {
     // Inlined for certain: all but the look-up is the same for all pixels, which a compiler sees only then.
     #[inline(always)]
-    fn single(self, domain: u32, pad: u32) -> Rank1Pair {
-        self.pair(domain, pad)
-    }
-
-    #[inline(always)]
     fn pair(self, domain: u32, pad: u32) -> Rank1Pair {
         let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, VectorMask::<2, S>::SIZE_LOG2);
         let shift = self.sampler.mask.value_fx(self.x.wrapping_add(dx), self.y.wrapping_add(dy));
@@ -95,6 +90,6 @@ impl Pair for Rank1Pair {
     }
 }
 
-call_shape!(impl['a, const S: usize] Rank1Pixel<'a, S>);
+call_shape!(impl['a, const S: usize] Rank1Pixel<'a, S>, pair);
 row_shape!(impl['a, const S: usize] Rank1<'a, S>);
-row_by_pixels!(impl['a, const S: usize] Rank1<'a, S>);
+row_by_pixels!(impl['a, const S: usize] Rank1<'a, S>, pair);

@@ -45,7 +45,7 @@ pub(super) use row_shape;
 
 /// The private draws for a row, pixel by pixel.
 macro_rules! row_by_pixels {
-    (impl[$($generics:tt)*] $sampler:ty) => {
+    (impl[$($generics:tt)*] $sampler:ty, $single:ident) => {
         impl<$($generics)*> $sampler {
             #[inline]
             fn singles_of_row<T>(
@@ -59,7 +59,7 @@ macro_rules! row_by_pixels {
             ) {
                 let mut x = x;
                 for target in targets {
-                    let single = self.pixel(x, y, frame).single(domain, pad);
+                    let single = self.pixel(x, y, frame).$single(domain, pad);
                     put(target, $crate::sampler::Single::value(single, index.reverse_bits()));
                     x = x.wrapping_add(1);
                 }

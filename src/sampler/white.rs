@@ -43,11 +43,6 @@ pub struct WhitePixel {
 
 impl WhitePixel {
     #[inline]
-    pub(super) const fn single(self, domain: u32, pad: u32) -> WhitePair {
-        self.pair(domain, pad)
-    }
-
-    #[inline]
     pub(super) const fn pair(self, domain: u32, pad: u32) -> WhitePair {
         WhitePair { seed: domain_seed(self.seed, domain, pad) }
     }
@@ -66,6 +61,6 @@ impl Pair for WhitePair {
     }
 }
 
-call_shape!(impl[] WhitePixel);
+call_shape!(impl[] WhitePixel, pair);
 row_shape!(impl[] White);
-row_by_pixels!(impl[] White);
+row_by_pixels!(impl[] White, pair);

@@ -54,11 +54,6 @@ pub struct ZOrderPixel {
 
 impl ZOrderPixel {
     #[inline]
-    const fn single(self, domain: u32, pad: u32) -> ZOrderPair {
-        self.pair(domain, pad)
-    }
-
-    #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
     const fn pair(self, domain: u32, pad: u32) -> ZOrderPair {
         let seeds = domain_word(self.seed, domain, pad);
@@ -101,6 +96,6 @@ impl Pair for ZOrderPair {
     }
 }
 
-call_shape!(impl[] ZOrderPixel);
+call_shape!(impl[] ZOrderPixel, pair);
 row_shape!(impl[] ZOrder);
-row_by_pixels!(impl[] ZOrder);
+row_by_pixels!(impl[] ZOrder, pair);

@@ -33,7 +33,9 @@
 //! entry point or a binding, but [`SEEDS_PASS`]. What works on rows or lists (`fill`, `fill_row`, `candidate`, the
 //! rows of [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so are
 //! [`warp`](crate::warp), whose functions have other bits on every device, and `unit::to_f64`. `Dither::gamma` is
-//! `bd_gamma_level` of a pixel's threshold. Of `PairTimeMask` and `LongTimeMask` bind the mask of a frame.
+//! `bd_gamma_level` of a pixel's threshold; of several numbers some functions have a form for each count (`to_f32s2`,
+//! `global3`). Importers such as naga_oil and WESL take the texts as they are, each under a path of your choice: names
+//! never clash.
 
 mod table;
 mod words;
@@ -106,7 +108,7 @@ modules! {
     LATTICE "lattice" [WIDE]
     /// [`linear`](crate::linear): `bd_linear_…`; reads [`LINEAR_ORDER`].
     LINEAR "linear" []
-    /// [`zorder`](crate::zorder), the curve: `bd_zorder_…`.
+    /// [`zorder`](crate::zorder), the curve: `bd_zorder_…`. (The sampler is [`Z_ORDER`].)
     ZORDER "zorder" []
     /// [`strata`](crate::strata): `bd_strata_…`.
     STRATA "strata" [HASH]
@@ -127,7 +129,7 @@ modules! {
     DOMAIN "sampler/mod" [HASH]
     /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`LINEAR_ORDER`].
     SAMPLER "sampler/linear" [DOMAIN LINEAR UNIT]
-    /// [`ZOrder`](crate::ZOrder): `bd_z_order_…`.
+    /// [`ZOrder`](crate::ZOrder), the sampler: `bd_z_order_…`. (The curve is [`ZORDER`].)
     Z_ORDER "sampler/zorder" [DOMAIN ZORDER SOBOL UNIT]
     /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
     KEYED "sampler/keyed" [DOMAIN KEYS LINEAR TORUS UNIT]

@@ -20,7 +20,7 @@ impl Table {
     /// dimensions: a power of two up to 256 or 1024. Other numbers count as the power of two below, or as the end of
     /// the range. Empty for tables that have one size only.
     #[must_use]
-    pub const fn size(&self, side: usize) -> &'static str {
+    pub const fn size_text(&self, side: usize) -> &'static str {
         let log2 = match side.checked_ilog2() {
             Some(log2) => log2 as usize,
             None => 0,
@@ -143,7 +143,8 @@ pub const DIRECTION_NUMBERS: Table = table!(
 );
 
 /// Masks over time, [`time_words`](super::time_words): a texture of the masks one below the other. Besides the size it
-/// takes their number: `const BD_OVER_TIME_FRAMES = 32u;`, or 16 for `THRESHOLD_OVER_TIME_64`.
+/// takes their number: `const BD_OVER_TIME_FRAMES = 32u;`, 16 for `THRESHOLD_OVER_TIME_64`, 64 for
+/// `THRESHOLD_OVER_TIME_128`. Of a `VectorTimeMask` bind the mask of a frame as [`VECTOR_MASK`].
 pub const TIME_MASK: Table = ranks!(6 "bd_over_time" "BD_OVER_TIME_LOG2", sizes!("BD_OVER_TIME_LOG2"));
 
 /// Light of the 256 sRGB values of 8 bits, `linear_light_words`: a texture of 256×1.

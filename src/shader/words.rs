@@ -46,7 +46,7 @@ pub fn direction_words<const D: usize>(directions: &Directions<D>) -> impl Itera
 pub fn time_words<const S: usize, const T: usize>(
     mask: &crate::frames::masks::TimeMask<S, T>,
 ) -> impl Iterator<Item = u32> + Clone {
-    mask.frames().iter().flat_map(scalar_words)
+    mask.frames().iter().flat_map(|mask| scalar_words(mask))
 }
 
 /// The linear light of the 256 sRGB values of 8 bits, two a word, for [`LINEAR_LIGHT`](super::LINEAR_LIGHT).

@@ -1,7 +1,8 @@
 // Seeds and scrambles: integer hashes that have no state and use no table. As `bluedither::hash`; u64 is
 // vec2<u32>(low, high).
 
-// A bijection in which every input bit flips every output bit with a chance near one half.
+// A bijection in which every input bit flips every output bit with a chance near one half. Constants of hash-prospector
+// (C. Wellons).
 fn bd_hash_mix(value: u32) -> u32 {
     var h = value ^ 0xe6fe3bebu;
     h ^= h >> 16u;
@@ -16,7 +17,7 @@ fn bd_hash_combine(seed: u32, value: u32) -> u32 {
     return bd_hash_mix(bd_hash_mix(seed) + value);
 }
 
-// 64 bits of seed from 64.
+// 64 bits of seed from 64. The multiplier of P. Evensen's rrmxmx (2018).
 fn bd_hash_mix_64(value: vec2<u32>) -> vec2<u32> {
     let multiplier = vec2<u32>(0x1e98df25u, 0x9fb21c65u);
     var h = value ^ vec2<u32>(0x7f4a7c15u, 0x9e3779b9u);
@@ -29,6 +30,7 @@ fn bd_hash_mix_64(value: vec2<u32>) -> vec2<u32> {
 }
 
 // Laine-Karras permutation: every bit is flipped by a hash of the bits below it. Hash `seed` first.
+// Constants of N. Vegdahl (2021).
 fn bd_hash_laine_karras(value_rev: u32, seed: u32) -> u32 {
     var n = value_rev;
     n ^= n * 0x3d20adeau;

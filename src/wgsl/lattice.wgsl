@@ -14,7 +14,7 @@ fn bd_lattice_extensible(index: u32, z: u32) -> u32 {
     return reverseBits(index) * z;
 }
 
-// Point `index` of the R-sequence in 1 to 4 dimensions.
+// Point `index` of the R-sequence (M. Roberts 2018) in 1 to 4 dimensions, 0.32 fixed point.
 fn bd_lattice_r1(index: u32) -> u32 {
     return index * 0x9e3779b9u + 0x80000000u;
 }

@@ -1,5 +1,5 @@
 // Cranley-Patterson offsets: one point set for the image, moved in every pixel by that pixel's mask value. As
-// `bluedither::shift`.
+// `bluedither::shift`. All numbers are 0.32 fixed point.
 
 // Global offset: every component moves by the mask value, modulo 1.
 fn bd_shift_global1(point: u32, offset: u32) -> u32 {

@@ -6,7 +6,8 @@ fn bd_torus_wrap(coordinate: u32, size: u32) -> u32 {
     return coordinate & (size - 1u);
 }
 
-// How far from the pixel itself a tile of 2^size_log2 squared pixels is read.
+// How far from the pixel itself a tile of 2^size_log2 squared pixels is read: domains by the R2 sequence (M. Roberts
+// 2018), the other steps by search.
 fn bd_torus_offset(seed: u32, domain: u32, pad: u32, frame: u32, size_log2: u32) -> vec2<u32> {
     let start = bd_hash_mix(seed);
     var place = vec2<u32>(start, bd_hash_mix(start));

@@ -55,8 +55,18 @@ hlsl() {
     done
 }
 
+# Without a device: one line that says how to get one.
+without_a_device() {
+    local line
+    if line=$(VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent "$CARGO_TARGET_DIR/debug/gpu" 2>&1); then
+        echo "without a device this should have failed" && return 1
+    fi
+    [[ $line == "error: there is no Vulkan device: one in software is installed by"* ]] || { echo "$line"; return 1; }
+}
+
 part "installing" installed
 part "building" quick build
+part "without a device" without_a_device
 part "functions on the device" "$CARGO_TARGET_DIR/debug/gpu"
 rm -rf "$out"
 part "writing" "$CARGO_TARGET_DIR/debug/gpu" --out "$out"

@@ -12,6 +12,7 @@ export RUSTC=/usr/bin/rustc RUSTDOC=/usr/bin/rustdoc RUSTC_BOOTSTRAP=1
 export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld-22
 (cd ../firmware && /usr/bin/cargo build --quiet --release --bin host)
 /usr/bin/cargo build --quiet --release -Zbuild-std=core,compiler_builtins --target wasm32-unknown-unknown
-diff <("$CARGO_TARGET_DIR/release/host") <(node run.mjs "$CARGO_TARGET_DIR/wasm32-unknown-unknown/release/wasm.wasm") ||
-    { echo "WebAssembly differs from this machine"; exit 1; }
-echo "WebAssembly: $("$CARGO_TARGET_DIR/release/host" | wc -l) families as on this machine"
+here=$("$CARGO_TARGET_DIR/release/host")
+there=$(node run.mjs "$CARGO_TARGET_DIR/wasm32-unknown-unknown/release/wasm.wasm")
+diff <(echo "$here") <(echo "$there") || { echo "WebAssembly differs from this machine"; exit 1; }
+echo "WebAssembly: $(wc -l <<<"$here") families as on this machine"

@@ -24,10 +24,9 @@
         float floats[3];                                                                                               \
         bd_##name##_draw3_fx(&pixel, a[5], a[6], fx);                                                                  \
         bd_##name##_draw3(&pixel, a[5], a[6], floats);                                                                 \
-        r[0] = fx[0] ^ fx[1];                                                                                          \
-        r[1] = fx[2];                                                                                                  \
-        r[2] = bits(floats[0]) ^ bits(floats[1]);                                                                      \
-        r[3] = bits(floats[2]);                                                                                        \
+        r[0] = fx[0] ^ bits(floats[0]);                                                                                \
+        r[1] = fx[1] ^ bits(floats[1]);                                                                                \
+        r[2] = fx[2] ^ bits(floats[2]);                                                                                \
     }                                                                                                                  \
     static void name##_draw4(const uint32_t a[8], uint32_t r[4]) {                                                     \
         bd_##name##_pixel_t pixel = bd_##name##_pixel(make, a[2], a[3], a[4]);                                         \

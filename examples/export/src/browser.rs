@@ -1,5 +1,6 @@
 //! A browser without a window: Chromium, its WebGPU in software, through its WebDriver.
 
+use base64::prelude::*;
 use std::io::{Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};
 use std::path::Path;
@@ -98,7 +99,8 @@ impl Browser {
     pub fn screenshot(&self, path: &Path) -> Vec<u8> {
         let answer = request(self.port, "GET", &format!("/session/{}/screenshot", self.session), "");
         let base64 = answer.split("\"value\":\"").nth(1).and_then(|rest| rest.split('"').next());
-        let file = decoded(base64.unwrap_or_else(|| panic!("no screenshot: {answer}")));
+        let base64 = base64.unwrap_or_else(|| panic!("no screenshot: {answer}"));
+        let file = BASE64_STANDARD.decode(base64).expect("base64");
         std::fs::write(path, &file).expect("a file beside this test");
         let mut reader = png::Decoder::new(&file[..]).read_info().expect("a PNG");
         let mut samples = vec![0; reader.output_buffer_size()];
@@ -128,20 +130,4 @@ fn request(port: u16, method: &str, path: &str, body: &str) -> String {
         assert!(count > 0, "half an answer: {}", String::from_utf8_lossy(&answer));
         answer.extend(&part[..count]);
     }
-}
-
-fn decoded(base64: &str) -> Vec<u8> {
-    let value = |letter: u8| match letter {
-        b'A'..=b'Z' => letter - b'A',
-        b'a'..=b'z' => letter - b'a' + 26,
-        b'0'..=b'9' => letter - b'0' + 52,
-        b'+' => 62,
-        _ => 63,
-    };
-    let groups = base64.trim_end_matches('=').as_bytes().chunks(4);
-    let bytes = groups.flat_map(|group| {
-        let bits = (0..4).fold(0, |bits, k| bits << 6 | u32::from(group.get(k).map_or(0, |&letter| value(letter))));
-        bits.to_be_bytes()[1..group.len()].to_vec()
-    });
-    bytes.collect()
 }

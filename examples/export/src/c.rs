@@ -2,8 +2,8 @@
 
 use crate::folder::version;
 use crate::tables::{Kind, Table};
-use bluedither::tables::{EFFORT, LINEAR_ORDER};
-use std::fmt::Write as _;
+use bluedither::shader;
+use bluedither::tables::EFFORT;
 
 const TEMPLATE: &str = include_str!("../bluedither.h");
 
@@ -66,28 +66,22 @@ fn linear_order() -> String {
          * ..., 256 samples a pixel, and for any number. */\n\
          static const uint32_t bd_linear_orders[10][8][10] = {\n",
     );
-    for order in LINEAR_ORDER.known.iter().chain([&LINEAR_ORDER.progressive]) {
-        let wrote = writeln!(text, "    {{\n{}    }},", rows(order.as_flattened(), 10));
-        wrote.expect("a String grows");
+    let words: Vec<u32> = shader::linear_order_words().collect();
+    let (orders, points) = words.split_at(10 * 8 * 10);
+    for order in orders.chunks(8 * 10) {
+        text += &format!("    {{\n{}    }},\n", rows(order, 10));
     }
-    let points = |indices: &mut dyn Iterator<Item = u32>| -> Vec<u32> {
-        indices.flat_map(|index| halves(LINEAR_ORDER.sequence.packed(index))).collect()
-    };
-    let nibble = |shift: u32| points(&mut (0..16u32).map(|sum| (sum.reverse_bits() >> 28) << shift));
+    // The first number is the upper half of a word of 64 bits, which comes second.
+    let points: Vec<u32> = points.as_chunks::<2>().0.iter().flat_map(|&[low, high]| [high, low]).collect();
+    let (nibbles, columns) = points.split_at(2 * 16 * 2);
     text += "};\n/* Points of the lower two nibbles of a sample's number, each reversed. */\n\
              static const uint32_t bd_linear_nibbles[2][16][2] = {\n";
-    for shift in [0, 4] {
-        text += &format!("    {{\n{}    }},\n", rows(&nibble(shift), 2));
+    for nibble in nibbles.chunks(16 * 2) {
+        text += &format!("    {{\n{}    }},\n", rows(nibble, 2));
     }
     text += "};\n/* What its other bits add. */\nstatic const uint32_t bd_linear_columns[24][2] = {\n";
-    text += &rows(&points(&mut (8..32).map(|bit| 1 << bit)), 2);
+    text += &rows(columns, 2);
     text + "};\n"
-}
-
-/// The upper half of a word and the lower one.
-#[allow(clippy::cast_possible_truncation, reason = "halves of a word")]
-fn halves(word: u64) -> [u32; 2] {
-    [(word >> 32) as u32, word as u32]
 }
 
 /// `static const` numbers in one dimension.
@@ -104,7 +98,7 @@ fn rows(numbers: &[u32], columns: usize) -> String {
     numbers.chunks(columns).map(|row| format!("        {{{}}},\n", joined(row))).collect()
 }
 
-/// Unsigned, also where an `int` has 16 bits.
+/// With a suffix where a number is too large for an `int` of 16 bits.
 fn joined(numbers: &[u32]) -> String {
     let text = |number: &u32| if *number > 0xffff { format!("0x{number:08x}u") } else { number.to_string() };
     numbers.iter().map(text).collect::<Vec<_>>().join(", ")

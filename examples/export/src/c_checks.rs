@@ -88,9 +88,9 @@ macro_rules! draws {
             }),
             (concat!($name, "_draw3"), |$a| {
                 let pixel = $sampler.pixel($a[2], $a[3], $a[4]);
-                let fx = pixel.draw_fx::<3>($a[5], $a[6]);
-                let floats = pixel.draw::<3>($a[5], $a[6]).map(f32::to_bits);
-                [fx[0] ^ fx[1], fx[2], floats[0] ^ floats[1], floats[2]]
+                let (fx, floats) = (pixel.draw_fx::<3>($a[5], $a[6]), pixel.draw::<3>($a[5], $a[6]));
+                let [x, y, z] = core::array::from_fn(|k| fx[k] ^ floats[k].to_bits());
+                [x, y, z, 0]
             }),
             (concat!($name, "_draw4"), |$a| {
                 let pixel = $sampler.pixel($a[2], $a[3], $a[4]);

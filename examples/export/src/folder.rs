@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+const MANIFEST: &str = "manifest.json";
+
 /// A folder, and what has been written to it.
 #[derive(Debug)]
 pub struct Folder {
@@ -23,6 +25,11 @@ struct File {
 impl Folder {
     pub fn create(path: &Path) -> Result<Self, String> {
         fs::create_dir_all(path).map_err(|error| refusal(path, &error))?;
+        // What an earlier run has left does not speak for this one.
+        let manifest = path.join(MANIFEST);
+        if manifest.exists() {
+            fs::remove_file(&manifest).map_err(|error| refusal(&manifest, &error))?;
+        }
         Ok(Self { path: path.to_owned(), files: Vec::new() })
     }
 
@@ -39,7 +46,7 @@ impl Folder {
     pub fn close(mut self, tables: &[Table]) -> Result<(), String> {
         let manifest = self.manifest(tables);
         let count = self.files.len();
-        self.write("manifest.json", "what was written, from what, with digests", manifest.as_bytes())?;
+        self.write(MANIFEST, "what was written, from what, with digests", manifest.as_bytes())?;
         let effort = bluedither::tables::EFFORT.name();
         println!("{count} files of {} tables, baked at {effort} effort, in {}", tables.len(), self.path.display());
         Ok(())
@@ -63,10 +70,10 @@ impl Folder {
             )
         };
         let mut text = String::from("{\n");
-        let (version, effort) = (version(), bluedither::tables::EFFORT.name());
+        let (version, effort, filter) = (version(), bluedither::tables::EFFORT.name(), filter());
         let wrote = write!(
             text,
-            "  \"bluedither\": \"{version}\",\n  \"effort\": \"{effort}\",\n\
+            "  \"bluedither\": \"{version}\",\n  \"effort\": \"{effort}\",\n{filter}\
              \x20 \"digests\": \"FNV-1a, 64 bits: of files by bytes, of tables as in tables/digests.txt\",\n\
              \x20 \"tables\": {},\n  \"files\": {}\n}}\n",
             list(tables.iter().map(table)),
@@ -75,6 +82,14 @@ impl Folder {
         wrote.expect("a String grows");
         text
     }
+}
+
+/// A line on the filter that the filtered masks are for, where there are any.
+fn filter() -> String {
+    #[cfg(any(feature = "threshold-filtered-64", feature = "threshold-filtered-over-time-64"))]
+    return format!("  \"filter\": \"{}\",\n", bluedither::tables::FILTER);
+    #[cfg(not(any(feature = "threshold-filtered-64", feature = "threshold-filtered-over-time-64")))]
+    String::new()
 }
 
 /// The library's version.

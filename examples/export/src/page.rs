@@ -2,6 +2,7 @@
 
 use crate::folder::{Folder, version};
 use crate::shaders::{self, Use};
+use base64::prelude::*;
 
 /// What stands in the page at `@name@`.
 const PARTS: [(&str, &str); 4] = [
@@ -37,11 +38,11 @@ fn data() -> String {
 
 fn sampler(each: &Use) -> String {
     let table = |bound: &shaders::Bound| {
-        let base64 = base64(&bound.bytes());
+        let base64 = BASE64_STANDARD.encode(bound.bytes());
         format!("{{ binding: {}, base64: \"{base64}\" }}", bound.table.binding)
     };
     let tables: Vec<_> = each.tables.iter().map(table).collect();
-    let (title, word) = (each.title, each.name.replace('-', "_"));
+    let (title, word) = (each.title, each.name);
     let wgsl = quoted(&each.text());
     format!("{{ name: \"{title}\", word: \"{word}\", tables: [{}], wgsl: {wgsl} }}", tables.join(", "))
 }
@@ -50,19 +51,4 @@ fn sampler(each: &Use) -> String {
 fn quoted(text: &str) -> String {
     let text = text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n").replace('<', "\\u003c");
     format!("\"{text}\"")
-}
-
-/// RFC 4648; whole groups of three bytes, or zeros at the end.
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::new();
-    for group in bytes.chunks(3) {
-        let byte = |k: usize| u32::from(group.get(k).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for k in 0..4 {
-            let letter = char::from(LETTERS[(bits >> (18 - 6 * k) & 63) as usize]);
-            text.push(if k > group.len() { '=' } else { letter });
-        }
-    }
-    text
 }

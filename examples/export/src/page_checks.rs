@@ -54,8 +54,15 @@ fn the_page_runs() {
         assert!(error < 1.0 || ["constant", "white"].contains(&word), "{word} at four samples a pixel: {error}");
     }
     assert_eq!(right_error(&browser), 1.0, "white noise is itself");
-    browser.run("document.querySelector('input[value=averaged]').click()");
-    browser.wait("return document.body.dataset.measured === '4 averaged'");
+    for mode in ["animated", "averaged"] {
+        browser.run(&format!("document.querySelector('input[value={mode}]').click()"));
+        browser.wait(&format!("return document.body.dataset.measured === '4 {mode}'"));
+    }
+    for view in
+        browser.run("return document.querySelectorAll('input[name=view]').length").parse().map_or(0..0, |n| 0..n)
+    {
+        browser.run(&format!("document.querySelectorAll('input[name=view]')[{view}].click()"));
+    }
     assert_eq!(browser.log().replace(' ', ""), r#"{"value":[]}"#);
 }
 

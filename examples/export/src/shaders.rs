@@ -15,8 +15,8 @@ pub struct Use {
     pub title: &'static str,
     parts: Parts,
     pub tables: &'static [Bound],
-    /// Four numbers of pixel `id`, by the fields of `bd_fill`; empty for samplers, which all have the same.
-    draw: &'static str,
+    /// Four numbers of pixel `id`, by the fields of `bd_fill`; none for samplers, which all have the same.
+    draw: Option<&'static str>,
 }
 
 /// A table that a shader reads.
@@ -35,58 +35,48 @@ const LINEAR_ORDER: Bound = Bound {
     file: "linear-order.bin",
     words: || shader::linear_order_words().collect(),
 };
-#[cfg(feature = "threshold-64")]
-const THRESHOLD: Bound = Bound {
-    table: shader::SCALAR_MASK,
-    side: 64,
-    file: "threshold-64.bin",
-    words: || shader::scalar_words(&bluedither::tables::THRESHOLD_64).collect(),
-};
-#[cfg(feature = "offset-2d-64")]
-const OFFSET: Bound = Bound {
-    table: shader::VECTOR_MASK,
-    side: 64,
-    file: "offset-2d-64.bin",
-    words: || shader::vector_words(&bluedither::tables::OFFSET_2D_64).collect(),
-};
-#[cfg(feature = "keys-64")]
-const KEYS: Bound = Bound {
-    table: shader::KEYS_TILE,
-    side: 64,
-    file: "keys-64-words.bin",
-    words: || shader::keys_words(&bluedither::tables::KEYS_64).collect(),
-};
-#[cfg(feature = "lattice-64")]
-const LATTICE: Bound = Bound {
-    table: shader::LATTICE_MASK,
-    side: 64,
-    file: "lattice-64.bin",
-    words: || shader::vector_words(&bluedither::tables::LATTICE_64).collect(),
-};
+/// A tile of 64 pixels a side: the feature that bakes it, what reads it, its file and its words.
+macro_rules! tile {
+    ($name:ident, $feature:literal, $reads:ident, $file:literal, $words:ident($table:ident)) => {
+        #[cfg(feature = $feature)]
+        const $name: Bound = Bound {
+            table: shader::$reads,
+            side: 64,
+            file: $file,
+            words: || shader::$words(&bluedither::tables::$table).collect(),
+        };
+    };
+}
+tile!(THRESHOLD, "threshold-64", SCALAR_MASK, "threshold-64.bin", scalar_words(THRESHOLD_64));
+tile!(OFFSET, "offset-2d-64", VECTOR_MASK, "offset-2d-64.bin", vector_words(OFFSET_2D_64));
+tile!(KEYS, "keys-64", KEYS_TILE, "keys-64-words.bin", keys_words(KEYS_64));
+tile!(LATTICE, "lattice-64", LATTICE_MASK, "lattice-64.bin", vector_words(LATTICE_64));
 
 /// All of them.
 pub const USES: &[Use] = &[
-    Use { name: "sampler", title: "Sampler", parts: shader::SAMPLER, tables: &[LINEAR_ORDER], draw: "" },
-    Use { name: "z_order", title: "ZOrder", parts: shader::Z_ORDER, tables: &[], draw: "" },
+    Use { name: "sampler", title: "Sampler", parts: shader::SAMPLER, tables: &[LINEAR_ORDER], draw: None },
+    Use { name: "z_order", title: "ZOrder", parts: shader::Z_ORDER, tables: &[], draw: None },
     #[cfg(feature = "keys-64")]
-    Use { name: "keyed", title: "Keyed", parts: shader::KEYED, tables: &[LINEAR_ORDER, KEYS], draw: "" },
+    Use { name: "keyed", title: "Keyed", parts: shader::KEYED, tables: &[LINEAR_ORDER, KEYS], draw: None },
     #[cfg(feature = "lattice-64")]
-    Use { name: "rank1", title: "Rank1", parts: shader::RANK1, tables: &[LATTICE], draw: "" },
+    Use { name: "rank1", title: "Rank1", parts: shader::RANK1, tables: &[LATTICE], draw: None },
     #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
-    Use { name: "dithered", title: "Dithered", parts: shader::DITHERED, tables: &[THRESHOLD, OFFSET], draw: "" },
-    Use { name: "white", title: "White", parts: shader::WHITE, tables: &[], draw: "" },
-    Use { name: "constant", title: "Constant", parts: shader::CONSTANT, tables: &[], draw: "" },
+    Use { name: "dithered", title: "Dithered", parts: shader::DITHERED, tables: &[THRESHOLD, OFFSET], draw: None },
+    Use { name: "white", title: "White", parts: shader::WHITE, tables: &[], draw: None },
+    Use { name: "constant", title: "Constant", parts: shader::CONSTANT, tables: &[], draw: None },
     #[cfg(feature = "threshold-64")]
     Use {
         name: "dither",
         title: "Dither",
         parts: shader::DITHER,
         tables: &[THRESHOLD],
-        draw: "let dither = bd_dither_frame(bd_dither_blue(), bd_fill.frame);
+        draw: Some(
+            "let dither = bd_dither_frame(bd_dither_blue(), bd_fill.frame);
     var drawn: vec4<f32>;
     for (var channel = 0u; channel < 4u; channel++) {
         drawn[channel] = bd_unit_to_f32(bd_dither_threshold_fx(dither, id.x, id.y, channel));
     }",
+        ),
     },
 ];
 
@@ -131,12 +121,12 @@ impl Bound {
 impl Use {
     /// Whether it draws samples.
     pub fn is_sampler(&self) -> bool {
-        self.draw.is_empty()
+        self.draw.is_none()
     }
 
     /// Functions and bindings, WGSL.
     pub fn text(&self) -> String {
-        let bindings = self.tables.iter().flat_map(|bound| [bound.table.size(bound.side), bound.table.storage]);
+        let bindings = self.tables.iter().flat_map(|bound| [bound.table.size_text(bound.side), bound.table.storage]);
         self.parts.texts().chain(bindings).collect()
     }
 
@@ -150,7 +140,7 @@ impl Use {
         for bound in self.tables {
             head += &format!("// Binding {}: a storage buffer of {}.\n", bound.table.binding, bound.file);
         }
-        head + "\n"
+        head + "// One such file a shader: others have the same functions. For several at once see `shader::Parts` of the crate.\n\n"
     }
 
     /// Text for others to include: its version is theirs to say.
@@ -166,15 +156,14 @@ impl Use {
 
     /// The compute shader: a sample of every pixel, four numbers each.
     fn pass(&self) -> String {
-        let drawn = if self.is_sampler() {
+        let sampler = || {
             format!(
                 "let pixel = bd_{0}_pixel(bd_{0}_with_spp(bd_fill.seed, bd_fill.spp), id.x, id.y, bd_fill.frame);
     let drawn = bd_{0}_draw4(pixel, bd_fill.domain, bd_fill.index);",
                 self.name
             )
-        } else {
-            self.draw.to_string()
         };
+        let drawn = self.draw.map_or_else(sampler, String::from);
         include_str!("../fill.wgsl").replace("/* draw */", &drawn)
     }
 }

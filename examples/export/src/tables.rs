@@ -68,6 +68,9 @@ impl Table {
     }
 }
 
+/// Pairs over time, and two megabytes.
+const LEFT_OUT: [&str; 3] = ["threshold-over-time-128", "offset-2d-over-time-32", "offset-2d-over-time-64"];
+
 /// All tables that this build has, and the names of the others.
 fn inventory() -> (Vec<Table>, Vec<&'static str>) {
     #[allow(unused_mut, reason = "without features there are none")]
@@ -93,7 +96,7 @@ fn inventory() -> (Vec<Table>, Vec<&'static str>) {
             bluedither::tables::$table.frames().iter().flat_map(|mask| wide(mask.ranks().as_flattened())).collect()
         };
         (@numbers $table:ident, Keys) => { digits(&bluedither::tables::$table) };
-        (@numbers $table:ident, Directions) => { directions(&bluedither::tables::$table) };
+        (@numbers $table:ident, Directions) => { bluedither::shader::direction_words(&bluedither::tables::$table).collect() };
     }
     table!("threshold-16", 16, THRESHOLD_16, Scalar);
     table!("threshold-32", 32, THRESHOLD_32, Scalar);
@@ -129,13 +132,18 @@ fn inventory() -> (Vec<Table>, Vec<&'static str>) {
 pub fn named(names: &[String]) -> Result<Vec<Table>, String> {
     let (mut built, others) = inventory();
     for name in names {
+        if LEFT_OUT.contains(&name.as_str()) {
+            return Err(format!("{name} is not exported: take its words by the Rust crate's `shader`, frame by frame"));
+        }
         if others.contains(&name.as_str()) {
             return Err(format!("{name} is not in this build: add it by `cargo run -p export --features {name} -- …`"));
         }
         if !built.iter().any(|table| table.name == name) {
             let there: Vec<_> = built.iter().map(|table| table.name).collect();
-            let (there, others) = (there.join(", "), others.join(", "));
-            return Err(format!("no table is named {name}: there are {there}; and, by --features, {others}"));
+            let there = there.join(", ");
+            let more =
+                if others.is_empty() { String::new() } else { format!("; and, by --features, {}", others.join(", ")) };
+            return Err(format!("no table is named {name}: there are {there}{more}"));
         }
     }
     built.retain(|table| names.is_empty() || names.iter().any(|name| name == table.name));
@@ -149,10 +157,4 @@ fn wide(numbers: &[u16]) -> Vec<u32> {
 #[allow(dead_code, clippy::cast_possible_truncation, reason = "without a feature of keys there are none; small sizes")]
 fn digits<const S: usize>(keys: &bluedither::Keys<S>) -> Vec<u32> {
     (0..S * S).flat_map(|place| keys.key((place % S) as u32, (place / S) as u32)).map(|key| key >> 16).collect()
-}
-
-/// A direction number is the point whose index has one bit.
-#[allow(dead_code, clippy::cast_possible_truncation, reason = "without a Sobol feature there are none; small sizes")]
-fn directions<const D: usize>(table: &bluedither::sobol::Directions<D>) -> Vec<u32> {
-    (0..32 * D as u32).map(|place| table.dimension(1 << (place % 32), place / 32)).collect()
 }

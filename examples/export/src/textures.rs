@@ -24,7 +24,10 @@ pub fn write(table: &Table, folder: &mut Folder) -> Result<(), String> {
         let kind = if channels == 2 { "RGB, blue is 0" } else { "grey" };
         folder.write(
             &format!("{stem}-16.png"),
-            &format!("{size}, 16 bits, {kind}"),
+            &format!(
+                "{size}, 16 bits, {kind}{}",
+                if table.is_mask() { ", 65536 (rank + 1/2) / pixels rounded down" } else { "" }
+            ),
             &png(table, &values_16(table))?,
         )?;
         let layers = if table.frames() > 1 { format!(", {} layers", table.frames()) } else { String::new() };
@@ -34,7 +37,7 @@ pub fn write(table: &Table, folder: &mut Folder) -> Result<(), String> {
         if table.is_mask() {
             folder.write(
                 &format!("{stem}-8.png"),
-                &format!("{size}, 8 bits, {kind}"),
+                &format!("{size}, 8 bits, {kind}, level q stands for (q + 1/2) / 256"),
                 &png(table, &values_8(table))?,
             )?;
         }

@@ -1,4 +1,4 @@
-// sRGB and linear light, both of 16 bits. As `bluedither::dither::gamma`; the light of the 256 values of 8 bits comes
+// sRGB and linear light, both of 16 bits (larger numbers are not defined). As `bluedither::dither::gamma`; the light of the 256 values of 8 bits comes
 // from a function that you write, or take with `shader::LINEAR_LIGHT`:
 //     fn bd_gamma_load(i: u32) -> u32
 

@@ -6,7 +6,8 @@ use bluedither::frames::seeds::{Rows, begins_block, permute, retarget, sort};
 use bluedither::{Dither, ScalarMask, candidate as best, hash};
 
 /// Two frames of a mask: baked ones are too large for the smallest machine.
-static MASK: TimeMask<4, 2> = {
+static MASK: TimeMask<4, 2> = TimeMask::new([&FRAMES[0], &FRAMES[1]]);
+static FRAMES: [ScalarMask<4>; 2] = {
     let mut ranks = [[[0; 4]; 4]; 2];
     let mut k = 0;
     while k < 16 {
@@ -14,7 +15,7 @@ static MASK: TimeMask<4, 2> = {
         ranks[1][k / 4][k % 4] = (k * 11 % 16) as u16;
         k += 1;
     }
-    TimeMask::new([ScalarMask::new(ranks[0]), ScalarMask::new(ranks[1])])
+    [ScalarMask::new(ranks[0]), ScalarMask::new(ranks[1])]
 };
 
 pub(crate) fn masks() -> u32 {

@@ -31,12 +31,12 @@ pub fn keys<const S: usize>(keys: &Keys<S>) -> Bound {
 pub fn directions<const D: usize>(directions: &Directions<D>) -> Bound {
     let table = shader::DIRECTION_NUMBERS;
     let words = shader::direction_words(directions).collect();
-    Bound { table, size: table.size(D).to_string(), words, extent: [32, D] }
+    Bound { table, size: table.size_text(D).to_string(), words, extent: [32, D] }
 }
 
 pub fn over_time<const S: usize, const T: usize>(mask: &TimeMask<S, T>) -> Bound {
     let table = shader::TIME_MASK;
-    let size = format!("{}const BD_OVER_TIME_FRAMES = {T}u;\n", table.size(S));
+    let size = format!("{}const BD_OVER_TIME_FRAMES = {T}u;\n", table.size_text(S));
     Bound { table, size, words: shader::time_words(mask).collect(), extent: [S, S * T] }
 }
 
@@ -56,5 +56,5 @@ pub fn bytes(table: Table, bytes: &[u8], width: usize) -> Bound {
 }
 
 fn square<const S: usize>(table: Table, words: Vec<u32>) -> Bound {
-    Bound { table, size: table.size(S).to_string(), words, extent: [S, S] }
+    Bound { table, size: table.size_text(S).to_string(), words, extent: [S, S] }
 }

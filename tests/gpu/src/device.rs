@@ -66,7 +66,8 @@ impl Device {
         let adapter = pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()));
         let adapter = adapter.map_err(|_| missing.to_string())?;
         let opened = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()));
-        let (device, queue) = opened.map_err(|error| format!("the Vulkan device cannot be opened ({error})"))?;
+        let (device, queue) =
+            opened.map_err(|error| format!("the Vulkan device cannot be opened ({error}): {missing}"))?;
         Ok(Self { device, queue, name: adapter.get_info().name })
     }
 

@@ -88,6 +88,7 @@ pub extern "C" fn target(seed: u32, x: i32, y: i32, width: u32, height: u32) -> 
     let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
     let mut screen = DitherTarget::new(&mut colors, dither);
     let Ok(()) = screen.fill_solid(&area, Rgb888::new(1, 2, 3));
+    let Ok(()) = screen.fill_contiguous(&area, core::iter::repeat(Rgb888::new(7, 8, 9)));
     let Ok(()) = screen.draw_iter([Pixel(Point::new(y, x), Rgb888::new(3, 2, 1))]);
     let mut screen = DitherTarget::new(&mut bits, dither);
     let Ok(()) = screen.fill_solid(&area, Gray8::new(4));

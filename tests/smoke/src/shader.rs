@@ -7,7 +7,8 @@ use bluedither::{ScalarMask, shader};
 /// Words of tables, of any bytes too.
 #[unsafe(no_mangle)]
 pub extern "C" fn words(bytes: &[u8; 99], n: usize) -> u32 {
-    static OWN: TimeMask<2, 1> = TimeMask::new([ScalarMask::new([[0, 1], [2, 3]])]);
+    static MASK: ScalarMask<2> = ScalarMask::new([[0, 1], [2, 3]]);
+    static OWN: TimeMask<2, 1> = TimeMask::new([&MASK]);
     let Some(bytes) = bytes.get(..n) else { return 0 };
     shader::byte_words(bytes)
         .chain(shader::direction_words(&SOBOL_16))
@@ -27,5 +28,5 @@ pub extern "C" fn texts(all: bool, side: usize) -> usize {
     let parts = if all { shader::ALL } else { shader::SAMPLER.and(shader::DITHER) };
     let texts: usize = parts.texts().map(str::len).sum();
     let names: usize = parts.names().map(str::len).sum();
-    texts + names + shader::SCALAR_MASK.size(side).len() + shader::DIRECTION_NUMBERS.size(side).len()
+    texts + names + shader::SCALAR_MASK.size_text(side).len() + shader::DIRECTION_NUMBERS.size_text(side).len()
 }

@@ -1,6 +1,6 @@
 //! Over time, and best candidates.
 
-use bluedither::frames::masks::{LongTimeMask, PairTimeMask, TimeMask};
+use bluedither::frames::masks::{TimeMask, VectorTimeMask};
 use bluedither::frames::seeds::{Rows, begins_block, permute, retarget, sort};
 use bluedither::tables::{SEED_PERMUTATION, THRESHOLD_OVER_TIME_32};
 use bluedither::{ScalarMask, VectorMask, candidate};
@@ -24,12 +24,11 @@ pub extern "C" fn frames(seeds: &mut [u32; 99], n: usize, estimates: &[f32; 99],
 /// Masks over time, and where seeds go.
 #[unsafe(no_mangle)]
 pub extern "C" fn places(x: u32, y: u32, frame: u32) -> u32 {
-    static OWN: TimeMask<2, 2> = TimeMask::new([ScalarMask::new([[0, 1], [2, 3]]), ScalarMask::new([[3, 1], [2, 0]])]);
+    static MASK: ScalarMask<2> = ScalarMask::new([[0, 1], [2, 3]]);
+    static OWN: TimeMask<2, 2> = TimeMask::new([&MASK, &MASK]);
     let mut sum = THRESHOLD_OVER_TIME_32.frame(frame).value_fx(x, y) ^ OWN.frames()[1].value_fx(x, y);
-    static LONG: LongTimeMask<2, 2, 1> = LongTimeMask::new([&OWN]);
-    sum ^= LONG.frame(frame).value_fx(x, y) ^ LONG.groups()[0].frame(frame).value_fx(x, y);
-    const PAIR: VectorMask<2, 2> = VectorMask::new([[[0, 1], [1, 0]], [[2, 3], [3, 2]]]);
-    static PAIRS: PairTimeMask<2, 2> = PairTimeMask::new([PAIR, PAIR]);
+    static PAIR: VectorMask<2, 2> = VectorMask::new([[[0, 1], [1, 0]], [[2, 3], [3, 2]]]);
+    static PAIRS: VectorTimeMask<2, 2> = VectorTimeMask::new([&PAIR, &PAIR]);
     sum ^= PAIRS.frame(frame).value_fx(x, y)[0] ^ PAIRS.frames()[1].value_fx(x, y)[1];
     sum ^= SEED_PERMUTATION.rounds();
     sum ^= SEED_PERMUTATION.place(frame)[1] ^ u32::from(SEED_PERMUTATION.codes()[3][4]);

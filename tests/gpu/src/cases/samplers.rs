@@ -88,6 +88,6 @@ fn others() -> Vec<Case> {
         case(RANK1, "bd_rank1_draw1_fx(bd_rank1_pixel(bd_rank1_new(a), b, c, d), e, f)", |[a, b, c, d, e, f]| {
             Rank1::new(a).pixel(b, c, d).draw_fx::<1>(e, f)
         })
-        .with_read(bind::lattice(&LATTICE_64)),
+        .with(bind::lattice(&LATTICE_64)),
     ]
 }

@@ -109,20 +109,20 @@ async fn picture() -> Result<Vec<u8>, String> {
     // Group 0: the table, uploaded once. Group 1: what changes from frame to frame.
     let words: Vec<u32> = shader::linear_order_words().collect();
     let view: View = [SIZE, 1, 1, 0];
-    let groups =
-        [(&words[..], wgpu::BufferUsages::STORAGE), (&view[..], wgpu::BufferUsages::UNIFORM)].map(|(words, usage)| {
-            let contents = bytemuck::cast_slice(words);
-            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-        });
-    let groups = [0, 1].map(|group: u32| {
-        let bindings = [if group == 0 { shader::LINEAR_ORDER.binding } else { 0 }];
-        let resource = groups[group as usize].as_entire_binding();
+    let buffer = |words: &[u32], usage| {
+        let contents = bytemuck::cast_slice(words);
+        device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+    };
+    let (table, view) = (buffer(&words, wgpu::BufferUsages::STORAGE), buffer(&view, wgpu::BufferUsages::UNIFORM));
+    // The pipeline's own layout has what the shader reads and no more: of `Dithered` drawn in pairs, one mask.
+    let bind = |group, binding, buffer: &wgpu::Buffer| {
         device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &pipeline.get_bind_group_layout(group),
-            entries: &[wgpu::BindGroupEntry { binding: bindings[0], resource }],
+            entries: &[wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() }],
         })
-    });
+    };
+    let (table, view) = (bind(0, shader::LINEAR_ORDER.binding, &table), bind(1, 0, &view));
 
     let extent = wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 };
     let target = device.create_texture(&wgpu::TextureDescriptor {
@@ -153,8 +153,8 @@ async fn picture() -> Result<Vec<u8>, String> {
             ..Default::default()
         });
         pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &groups[0], &[]);
-        pass.set_bind_group(1, &groups[1], &[]);
+        pass.set_bind_group(0, &table, &[]);
+        pass.set_bind_group(1, &view, &[]);
         pass.draw(0..3, 0..1);
     }
     let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * SIZE), rows_per_image: None };
