@@ -19,7 +19,7 @@ pub const EXOD2: [u32; 10] = [1, 182_667, 469_891, 498_753, 110_745, 446_247, 25
 /// `lattice-33002-1024-1048576.9125` of F. Kuo: good from 2¹⁰ to 2²⁰ points; its first ten of 9125 dimensions.
 pub const KUO_33002: [u32; 10] = [1, 182_667, 213_731, 255_351, 96_013, 116_671, 479_315, 424_089, 271_103, 464_421];
 
-/// Fixed number of points: N of 2⁴, 2⁶, 2⁸ and 2¹⁰ with four dimensions each, made by `tests/lattice.rs`, component by
+/// Fixed number of points: N of 2⁴, 2⁶, 2⁸ and 2¹⁰ with four dimensions each, made by `tests/api/lattice.rs`, component by
 /// component, for the Korobov space of order 2 with the weights 1, 1/2, 1/4 and 1/8 (Sloan and Reztsov 2002).
 pub const FIXED: [(u32, [u32; 4]); 4] =
     [(16, [1, 7, 3, 5]), (64, [1, 19, 29, 13]), (256, [1, 75, 23, 123]), (1024, [1, 275, 167, 403])];

@@ -25,7 +25,7 @@ const HEAD: &str = "\
 # Then, for 1, 2, 4, ..., 256 samples and for any number, sets of columns, a line each: the digits that the bits of x and
 # of y flip, in turn, the first number's in the upper half. The seal is the FNV-1a digest of all words.
 # After the search was changed on purpose, find them anew and note the change of values in CHANGELOG.md:
-#     cargo test --release --test columns -- --ignored write_linear_order
+#     cargo test --release --test bake -- --ignored write_linear_order
 ";
 
 impl LinearOrder {

@@ -15,7 +15,7 @@ pub struct Digests {
 const HEAD: &str = "\
 # Digests (FNV-1a, 64 bits) of the inputs beside this file and of every table, by level of effort.
 # After a recipe was changed on purpose, record them anew and note the change of values in CHANGELOG.md:
-#     cargo test --release --no-default-features --test rebake -- --ignored write_tables
+#     cargo test --release --no-default-features --test bake -- --ignored write_tables
 ";
 
 impl Digests {
@@ -62,7 +62,7 @@ impl Digests {
 
     fn damaged() -> String {
         "tables/digests.txt is damaged: restore it from the package, or record it anew (cargo test --release \
-         --no-default-features --test rebake -- --ignored write_tables)"
+         --no-default-features --test bake -- --ignored write_tables)"
             .into()
     }
 }

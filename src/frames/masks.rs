@@ -17,8 +17,8 @@
 //! | pairs over time, 32×32×16 | 1 / .44 | .57 / .28 | .31 / .18 | .12 / .08 |
 //!
 //! Pairs are for averages over time alone: after a Gaussian of 1 pixel `Sampler` leaves less than they do, .33 of white
-//! noise's error in one frame and a quarter of that in 16. `cargo test --all-features --test over_time --test animation
-//! --test filtered -- --nocapture` prints these tables.
+//! noise's error in one frame and a quarter of that in 16. `cargo test --all-features -- over_time:: animation::
+//! filtered:: --nocapture` prints these tables.
 //!
 //! # For a filter that you know
 //! `THRESHOLD_FILTERED_64` and `THRESHOLD_FILTERED_OVER_TIME_64` are made for what comes after them, which the environment

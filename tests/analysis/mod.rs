@@ -9,6 +9,7 @@ pub(crate) mod discrepancy;
 pub(crate) mod error;
 pub(crate) mod half_plane;
 pub(crate) mod integrands;
+pub(crate) mod net;
 pub(crate) mod random;
 pub(crate) mod soft_edge;
 pub(crate) mod spectrum;

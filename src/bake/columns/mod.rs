@@ -1,4 +1,4 @@
-//! Finds the constants of the linear pixel order. Run by `tests/columns.rs`, which freezes them in `tables/`.
+//! Finds the constants of the linear pixel order. Run by `tests/bake/linear_order.rs`, which freezes them in `tables/`.
 //!
 //! The points of all pixels of a block are sums modulo 2 of columns and a random digital shift, so that the error of an
 //! estimate is Σ f̂(c)·χ_c(shift)·χ_w(c)(pixel) over the characters c of the dual net: the pairs of digit sets that all

@@ -1,0 +1,100 @@
+//! Domains, frames and components have nothing to do with each other: over the pixels of one sample, and over the
+//! samples of one pixel.
+
+use crate::common::{NO_CORRELATION, SIZE, correlation, for_every_sampler, image};
+use bluedither::{Sampler, unit};
+
+#[test]
+fn domains_frames_and_components_are_decorrelated() {
+    // With many samples also one from the middle, whose number has its highest bit set: bits of an order and of a scramble
+    // that cancel there would show.
+    for (spp, index) in [(1, 0), (4, 0), (8, 4), (16, 8), (64, 32)] {
+        for_every_sampler!(2, spp, |name, sampler| {
+            // The first samples of a linear order may be related where no flip can tell them apart, but over one block of 32²
+            // pixels only: it takes many of them to see that nothing is left in the mean.
+            let blocks = name.starts_with("linear order") && (spp == 1 || name.ends_with("progressive"));
+            let size = if blocks { 512 } else { SIZE };
+            if name != "constant" {
+                // The baked masks are blue noise, whose neighbours a few pixels apart are related a little.
+                let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
+                let at = |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<2>(domain, index)[0]);
+                let single =
+                    |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<1>(domain, index)[0]);
+                let (pair_here, single_here) = (at(0, 0), single(0, 0));
+                for k in 1..=16 {
+                    for (what, other) in [("domain", (k, 0)), ("frame", (0, k))] {
+                        let r = correlation(&pair_here, &at(other.0, other.1));
+                        assert!(r.abs() < bound, "{name}, pair, {spp} spp, {what} {k}: {r}");
+                        let r = correlation(&single_here, &single(other.0, other.1));
+                        assert!(r.abs() < bound, "{name}, single, {spp} spp, {what} {k}: {r}");
+                    }
+                }
+                let component = |k: usize| image(size, |x, y| sampler.pixel(x, y, 0).draw_fx::<4>(0, index)[k]);
+                for a in 1..4 {
+                    for b in 0..a {
+                        let r = correlation(&component(a), &component(b));
+                        assert!(r.abs() < bound, "{name}, {spp} spp, components {a} and {b}: {r}");
+                    }
+                }
+            }
+        });
+    }
+}
+
+/// What the docs of `Sampler` say of a block of 32×32 pixels: where the first two samples of a progressive run are related,
+/// the third and later ones, and all of a known number, are not.
+#[test]
+fn blocks_of_the_linear_order_are_unrelated() {
+    let cases =
+        [(Sampler::with_spp(9, 4), [0, 1, 3]), (Sampler::with_spp(9, 64), [0, 1, 40]), (Sampler::new(9), [2, 3, 9])];
+    for (sampler, indices) in cases {
+        for index in indices {
+            let at = |domain| image(32, |x, y| sampler.pixel(x, y, 0).draw_fx::<2>(domain, index)[0]);
+            let square: f64 = (0..200).map(|k| correlation(&at(2 * k), &at(2 * k + 1)).powi(2)).sum::<f64>() / 200.0;
+            // Of independent numbers 1/1023, known to a tenth.
+            assert!(square * 1023.0 < 1.5, "index {index}: {}", square * 1023.0);
+        }
+    }
+}
+
+#[test]
+fn samples_of_one_pixel_are_decorrelated() {
+    // Over the samples of one pixel, two domains, two frames or two components of a draw must fill their joint square:
+    // two Owen scrambles of one sequence in one order would fill two quarters of it, in every pixel alike.
+    for spp in [64, 100, 256] {
+        for_every_sampler!(2, spp, |name, sampler| {
+            assert_no_joint_structure(name, spp, |frame, domain, index| {
+                let pixel = sampler.pixel(1, 2, frame);
+                (pixel.draw_fx::<1>(domain, index), pixel.draw_fx::<4>(domain, index))
+            });
+        });
+    }
+}
+
+/// The mean square correlation of pairs of series is what random orders have, 1/(n−1), or little more.
+fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) -> ([u32; 1], [u32; 4])) {
+    let series = |frame, domain| -> [Vec<f64>; 5] {
+        let all: Vec<_> = (0..spp).map(|index| draw(frame, domain, index)).collect();
+        core::array::from_fn(|k| {
+            all.iter().map(|(single, four)| unit::to_f64(if k == 4 { single[0] } else { four[k] })).collect()
+        })
+    };
+    let here = series(0, 0);
+    let mut squares = [0.0; 7];
+    const OTHERS: u32 = 48;
+    for k in 1..=OTHERS {
+        let (domain, frame) = (series(0, k), series(k, 0));
+        let pairs = [
+            (&here[0], &domain[0]),
+            (&here[1], &domain[1]),
+            (&here[4], &domain[4]),
+            (&here[0], &frame[0]),
+            (&here[4], &frame[4]),
+            (&domain[0], &domain[2]),
+            (&domain[1], &domain[3]),
+        ];
+        pairs.iter().zip(&mut squares).for_each(|((a, b), sum)| *sum += correlation(a, b).powi(2) / f64::from(OTHERS));
+    }
+    let worst = squares.iter().fold(0.0, |worst: f64, &square| worst.max(square)) * f64::from(spp - 1);
+    assert!(worst < 4.0, "{name}, {spp} samples: mean square correlations {squares:.3?}");
+}

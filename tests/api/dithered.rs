@@ -1,0 +1,171 @@
+//! What the mask samplers promise besides the call shape: tiles, nets, strata, passes.
+//!
+//! The masks are random permutations, so that these tests need no table.
+
+use crate::common::{SIZE, scalar_mask, vector_mask};
+use bluedither::{Dithered, unit};
+use proptest::prelude::*;
+
+#[test]
+fn global_undoes_stratified() {
+    let dithered = Dithered::with_masks(scalar_mask(), vector_mask(), 1);
+    let back = dithered.stratified(9).global();
+    for index in [0, 1, 8, 9, 100] {
+        let (a, b) = (dithered.pixel(3, 4, 5), back.pixel(3, 4, 5));
+        assert_eq!(a.draw_fx::<3>(0, index), b.draw_fx::<3>(0, index));
+        assert_eq!(a.draw_fx::<1>(0, index), b.draw_fx::<1>(0, index));
+    }
+}
+
+#[test]
+fn a_tile_repeats_and_negative_coordinates_go_on() {
+    for sampler in [5, 6].map(|seed| Dithered::with_masks(scalar_mask(), vector_mask(), seed)) {
+        for (x, y) in [(0i32, 0i32), (63, 1), (10, 62)] {
+            let at = |x: i32, y: i32| sampler.pixel(x.cast_unsigned(), y.cast_unsigned(), 2).draw_fx::<4>(1, 1);
+            for (right, down) in [(64, 0), (0, 64), (-64, -128), (64_000, -64), (i32::MIN, i32::MIN)] {
+                assert_eq!(at(x, y), at(x.wrapping_add(right), y.wrapping_add(down)), "{x}+{right}, {y}+{down}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_global_offset_moves_all_points_alike() {
+    // Sample 0 of the pattern is 0, so it shows the offset; taken off, the points are the same in every pixel, and
+    // every 2ᵏ of them from the start are a net.
+    let sampler = Dithered::with_masks(scalar_mask(), vector_mask(), 21);
+    for (domain, frame) in [(0, 0), (1, 0), (0, 1), (77, 99)] {
+        let points = |x, y| {
+            let pixel = sampler.pixel(x, y, frame);
+            let [u0, v0] = pixel.draw_fx::<2>(domain, 0);
+            let [t0] = pixel.draw_fx::<1>(domain, 0);
+            (0..256u32)
+                .map(|i| {
+                    let ([u, v], [t]) = (pixel.draw_fx::<2>(domain, i), pixel.draw_fx::<1>(domain, i));
+                    [u.wrapping_sub(u0), v.wrapping_sub(v0), t.wrapping_sub(t0)]
+                })
+                .collect::<Vec<_>>()
+        };
+        let here = points(3, 4);
+        assert_eq!(here, points(40, 7));
+        for m in 0..=8u32 {
+            for x_digits in 0..=m {
+                let mut seen = vec![[false; 2]; 1 << m];
+                for [u, v, t] in here.iter().take(1 << m).map(|point| point.map(u64::from)) {
+                    let cell = (u >> (32 - x_digits)) << (m - x_digits) | v >> (32 - (m - x_digits));
+                    seen[cell as usize][0] = true;
+                    seen[(t >> (32 - m)) as usize][1] = true;
+                }
+                assert!(seen.iter().all(|hit| *hit == [true; 2]), "the first 2^{m}, 2^-{x_digits} wide");
+            }
+        }
+    }
+}
+
+#[test]
+fn strata_are_hit_once_a_pass_and_passes_fill_them() {
+    for spp in [1u32, 2, 3, 4, 5, 7, 16, 25, 100] {
+        let sampler = Dithered::with_masks(scalar_mask(), vector_mask(), 8).stratified(spp);
+        for (x, y) in [(0, 0), (33, 12)] {
+            let pixel = sampler.pixel(x, y, 1);
+            // In 1D pass by pass; after four passes each quarter of each stratum, seen from the offset, is hit once.
+            let mut quarters = vec![0; 4 * spp as usize];
+            let offset = (u64::from(pixel.draw_fx::<1>(2, 0)[0]) * u64::from(spp)) as u32;
+            for pass in 0..4 {
+                let mut seen = vec![false; spp as usize];
+                for index in pass * spp..(pass + 1) * spp {
+                    let value = u64::from(pixel.draw_fx::<1>(2, index)[0]) * u64::from(spp);
+                    // Rounding down may leave a point a hair below its place: move it up by half a unit of the last.
+                    let value = value + u64::from(spp / 2);
+                    seen[(value >> 32) as usize] = true;
+                    let inside = (value as u32).wrapping_sub(offset).wrapping_add(1 << 29) >> 30;
+                    quarters[(value >> 32) as usize * 4 + inside as usize] += 1;
+                }
+                assert!(seen.iter().all(|hit| *hit), "1D, {spp} spp, pass {pass}");
+            }
+            assert!(quarters.iter().all(|n| *n == 1), "1D, {spp} spp: {quarters:?}");
+            // In 2D every pass has one point in each cell of area 1/spp.
+            for pass in 0..3 {
+                let mut seen = vec![false; spp as usize];
+                for index in pass * spp..(pass + 1) * spp {
+                    let [u, v] = pixel.draw_fx::<2>(2, index);
+                    let cell = (0..spp).find(|&cell| {
+                        let low = bluedither::strata::place_2d(cell, spp, [0, 0]);
+                        let high = bluedither::strata::place_2d(cell, spp, [u32::MAX, u32::MAX]);
+                        (low[0]..=high[0]).contains(&u) && (low[1]..=high[1]).contains(&v)
+                    });
+                    seen[cell.expect("cells fill the square") as usize] = true;
+                }
+                assert!(seen.iter().all(|hit| *hit), "2D, {spp} spp, pass {pass}");
+            }
+        }
+    }
+}
+
+/// If cell a of one domain met cell b of another in every pixel, all pixels would have the same error.
+#[test]
+fn strata_of_two_domains_meet_in_every_way_over_the_pixels() {
+    for spp in [4, 5] {
+        let sampler = Dithered::with_masks(scalar_mask(), vector_mask(), 3).stratified(spp);
+        let error = |p: u32| {
+            let pixel = sampler.pixel(p % SIZE as u32, p / SIZE as u32, 0);
+            let product = |index| {
+                let [[a], [b]] = [0, 1].map(|domain| pixel.draw_fx::<1>(domain, index).map(unit::to_f64));
+                a * b
+            };
+            (0..spp).map(product).sum::<f64>() / f64::from(spp) - 0.25
+        };
+        let errors: Vec<f64> = (0..(SIZE * SIZE) as u32).map(error).collect();
+        let n = errors.len() as f64;
+        let mean = errors.iter().sum::<f64>() / n;
+        let deviation = (errors.iter().map(|e| (e - mean) * (e - mean)).sum::<f64>() / n).sqrt();
+        assert!(mean.abs() < 4.0 * deviation / n.sqrt(), "{spp} spp: {mean} ± {}", deviation / n.sqrt());
+    }
+}
+
+/// Past its `spp` a sampler goes on, and what it has drawn converges: domains, and pads, do not move in step.
+#[test]
+fn samples_beyond_spp_converge_jointly() {
+    let count = 4096;
+    for spp in [1, 2, 3, 4, 8] {
+        for (name, squares) in [("strata", true), ("single strata", false)] {
+            let mut worst: f64 = 0.0;
+            for seed in 0..24 {
+                let sampler = Dithered::with_masks(scalar_mask(), vector_mask(), seed);
+                let sampler = if squares { sampler.stratified(spp) } else { sampler.stratified_1d(spp) };
+                let pixel = sampler.pixel(seed * 7, seed * 13, 0);
+                let (mut singles, mut pads) = (0.0, 0.0);
+                for index in 0..count {
+                    let [[a], [b]] = [0, 1].map(|domain| pixel.draw_fx::<1>(domain, index).map(unit::to_f64));
+                    let four = pixel.draw_fx::<4>(2, index).map(unit::to_f64);
+                    singles += a * b;
+                    pads += four[0] * four[2];
+                }
+                worst = worst.max((singles / f64::from(count) - 0.25).abs());
+                worst = worst.max((pads / f64::from(count) - 0.25).abs());
+            }
+            // 4096 independent samples scatter by .0034.
+            assert!(worst < 0.012, "{name}, {spp} spp: {worst} off after {count} samples");
+        }
+    }
+}
+
+#[test]
+fn padded_pairs_never_meet_the_first_pair() {
+    for seed in 0..20_000 {
+        let [a, b, c, d] = Dithered::with_masks(scalar_mask(), vector_mask(), seed).pixel(0, 0, 0).draw_fx::<4>(0, 0);
+        assert!([a, b] != [c, d], "seed {seed}: components 2 and 3 repeat 0 and 1 in every pixel");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 200, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_tile_repeats_everywhere(seed: u32, x: u32, y: u32, frame: u32, domain: u32, index: u32) {
+        // But for the order of strata, which is every pixel's own.
+        let sampler = Dithered::with_masks(scalar_mask(), vector_mask(), seed);
+        let far = |pixel: u32| sampler.pixel(x.wrapping_add(pixel), y.wrapping_sub(pixel), frame);
+        prop_assert_eq!(far(0).draw::<4>(domain, index), far(SIZE as u32).draw::<4>(domain, index));
+    }
+}

@@ -1,0 +1,112 @@
+//! The Z curve and the points of its squares: naive twins, nets for every number of samples.
+
+use crate::analysis::net::assert_net;
+use bluedither::{ZOrder, sobol, zorder};
+use proptest::prelude::*;
+
+/// Σ aⱼ·qʲ over GF(2) with q = t² + t + 1 and the pairs of bits aⱼ of `digits`, term by term.
+fn naive_first_index(digits: u32) -> u32 {
+    let times_q = |p: u32| p << 2 ^ p << 1 ^ p;
+    let term = |j: u32| (0..j).fold(digits >> (2 * j) & 3, |p, _| times_q(p));
+    (0..16).fold(0, |sum, j| sum ^ term(j))
+}
+
+#[test]
+fn first_indices_are_a_bijection() {
+    // A linear map with 32 independent images, by elimination.
+    let mut rows: Vec<u32> = Vec::new();
+    for bit in 0..32 {
+        let mut image = zorder::first_index(1 << bit);
+        rows.iter().for_each(|row| image = image.min(image ^ row));
+        assert_ne!(image, 0, "bit {bit}");
+        rows.push(image);
+    }
+}
+
+#[test]
+fn any_number_of_samples_of_any_run_of_places_is_a_net() {
+    for k in 0..=4u32 {
+        for m in 0..=(12 - 2 * k) {
+            for run in [0, 1, 2, 77, 0x00ff_ffff, u32::MAX] {
+                let first = run << (2 * k);
+                let points: Vec<_> = (first..=first | ((1 << (2 * k)) - 1))
+                    .flat_map(|place| {
+                        (0..1 << m).map(move |i| sobol::point(zorder::first_index(place.reverse_bits()) ^ i))
+                    })
+                    .collect();
+                assert_net(&points, &format!("2^{m} samples, 4^{k} places from {first}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn any_number_of_samples_of_any_square_of_pixels_is_a_net() {
+    for (seed, frame, domain) in [(0, 0, 0), (1, 2, 3), (u32::MAX, u32::MAX, u32::MAX)] {
+        let sampler = ZOrder::new(seed);
+        for (x, y) in [(0, 0), (16, 48), (0x1234_5670, 0x8000_0000), (0xffff_fff0, 0xffff_fff0)] {
+            for k in 0..=4u32 {
+                for m in 0..=(12 - 2 * k) {
+                    let (mut first, mut second) = (Vec::new(), Vec::new());
+                    for pixel in 0..1u32 << (2 * k) {
+                        let pixel = sampler.pixel(x + pixel % (1 << k), y + (pixel >> k), frame);
+                        for index in 0..1 << m {
+                            let [a, b, c, d] = pixel.draw_fx::<4>(domain, index);
+                            first.push([a, b]);
+                            second.push([c, d]);
+                        }
+                    }
+                    assert_net(&first, &format!("2^{m} samples of 4^{k} pixels at {x}, {y}"));
+                    assert_net(&second, &format!("padded pair: 2^{m} samples of 4^{k} pixels at {x}, {y}"));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn blocks_of_65536_pixels_are_seeded_anew() {
+    let sampler = ZOrder::new(1);
+    let at = |x, y| sampler.pixel(x, y, 0).draw_fx::<4>(0, 0);
+    for (x, y) in [(0, 0), (5, 9)] {
+        for far in [1 << 16, 1 << 17, 1 << 31] {
+            assert_ne!(at(x, y), at(x + far, y));
+            assert_ne!(at(x, y), at(x, y + far));
+            assert_ne!(at(x + far, y), at(x, y + far));
+        }
+    }
+}
+
+#[test]
+fn squares_are_visited_in_orders_of_their_own() {
+    // Where the first quarter of the square goes: over 1024 squares each of the four pixels in a quarter of them (± 14),
+    // and its partner in the same half beside, below or across.
+    let sampler = ZOrder::new(7);
+    let mut lowest = [0u32; 4];
+    let mut partner = [0u32; 4];
+    for square in 0..1024 {
+        let value = |k: u32| sampler.pixel(square % 32 * 2 + k % 2, square / 32 * 2 + k / 2, 0).draw_fx::<2>(0, 0)[0];
+        let mut order = [0, 1, 2, 3];
+        order.sort_unstable_by_key(|&k| value(k));
+        lowest[order[0] as usize] += 1;
+        partner[(order[0] ^ order[1]) as usize] += 1;
+    }
+    assert!(lowest.iter().all(|&count| (200..312).contains(&count)), "{lowest:?}");
+    assert!(partner[1..].iter().all(|&count| count > 128), "{partner:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 2000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn morton_interleaves(x: u32, y: u32) {
+        let bit = |value: u32, k: u32| u64::from(value >> k & 1);
+        let naive = (0..32).fold(0, |sum, k| sum | bit(x, k) << (2 * k) | bit(y, k) << (2 * k + 1));
+        prop_assert_eq!(zorder::morton(x, y), naive);
+    }
+
+    #[test]
+    fn first_index_is_naive(place_rev: u32) {
+        prop_assert_eq!(zorder::first_index(place_rev), naive_first_index(place_rev));
+    }
+}

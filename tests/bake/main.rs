@@ -1,0 +1,28 @@
+//! The bake, which build.rs runs: algorithms against naive twins, what is frozen against what it finds, and how much of the
+//! error its tables leave. `cargo test --test bake sizes` runs one module.
+#![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "tests on the host")]
+#![allow(clippy::print_stdout, reason = "tables are printed on request")]
+
+use bluedither::{effort, hash, lattice, linear, sobol, strata, torus}; // what the bake finds at the root of build.rs
+
+#[path = "../analysis/mod.rs"]
+mod analysis;
+#[path = "../../src/bake/mod.rs"]
+#[allow(dead_code, unreachable_pub, reason = "build.rs uses the rest")]
+mod bake;
+#[path = "../../src/bake/columns/mod.rs"]
+#[allow(dead_code, unreachable_pub, reason = "a part for every test")]
+mod columns;
+#[path = "../../src/bake/energy/mod.rs"]
+mod energy;
+
+mod anneal;
+mod filtered;
+mod keys;
+mod keys_quality;
+mod linear_order;
+mod published_energy;
+mod quality;
+mod rebake;
+mod sizes;
+mod void_and_cluster;
