@@ -10,10 +10,11 @@ for script in "$@"; do
         firmware) needed="$rust lld-22 qemu-system-arm qemu-system-misc" ;;
         foreign) needed="$rust qemu-user-static gcc-arm-linux-gnueabihf libc6-dev-armhf-cross gcc-s390x-linux-gnu
             libc6-dev-s390x-cross" ;;
+        fuzz) needed="g++" ;;
         wasm) needed="$rust lld-22 $(command -v node >/dev/null || echo nodejs)" ;;
         shaders) needed="$vulkan $tools $(command -v npm >/dev/null || echo nodejs npm)" ;;
         export) needed="$vulkan $tools gcc g++ chromium chromium-driver" ;;
-        *) echo "'$script' needs no packages: firmware, foreign, wasm, shaders and export do" >&2 && exit 1 ;;
+        *) echo "'$script' needs no packages: firmware, foreign, fuzz, wasm, shaders and export do" >&2 && exit 1 ;;
     esac
     for package in $needed; do
         dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q ' installed$' || missing+=("$package")
