@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Compiles exported shaders by glslang, and accepts SPIR-V by SPIRV-Tools: shaders.sh DIR, as written by `cargo run -p export -- --out DIR`.
+# Compiles exported shaders by glslang, and accepts SPIR-V by SPIRV-Tools: shaders.sh DIR, as written by
+# `cargo run -p export -- --out DIR`.
 set -euo pipefail
 cd "$1/shaders"
 scratch=$(mktemp -d)

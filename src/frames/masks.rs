@@ -16,8 +16,8 @@
 //! | pairs over time, 64×64×8 | 1 / .43 | .58 / .28 | .31 / .18 | .17 / .12 |
 //! | pairs over time, 32×32×16 | 1 / .44 | .57 / .28 | .31 / .18 | .12 / .08 |
 //!
-//! Pairs are for averages over time alone: after a Gaussian of 1 pixel `Sampler` leaves less than they do, .33 of white
-//! noise's error in one frame and a quarter of that in 16. `cargo test --all-features -- over_time:: animation::
+//! Pairs are for averages over time alone: after a Gaussian of 1 pixel `Sampler` leaves .33 of white noise's
+//! error in one frame, and a quarter of that, as much as they do, in 16. `cargo test --all-features -- over_time:: animation::
 //! filtered:: --nocapture` prints these tables.
 //!
 //! # For a filter that you know
@@ -54,8 +54,10 @@
 use crate::mask::{ScalarMask, VectorMask};
 
 /// T masks of S×S pixels; T is a power of two. To dither by one, `Dither::blue(mask.frame(n))`, without `Dither::frame`.
+///
+/// What it holds are references to masks that are `static`, each by itself: T pointers beside the bytes of the masks.
 #[doc(alias = "spatiotemporal")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TimeMask<const S: usize, const T: usize> {
     frames: [&'static ScalarMask<S>; T],
 }
@@ -63,7 +65,7 @@ pub struct TimeMask<const S: usize, const T: usize> {
 /// The same for pairs of numbers: offsets of two-dimensional samples. To sample by one,
 /// `Dithered::with_masks(thresholds, mask.frame(n), seed)`, with frame 0.
 #[doc(alias = "spatiotemporal")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VectorTimeMask<const S: usize, const T: usize> {
     frames: [&'static VectorMask<2, S>; T],
 }
@@ -79,7 +81,7 @@ macro_rules! frames_of {
                 Self { frames }
             }
 
-            /// The mask of a frame. Any frame: after T of them the first comes again. Two loads.
+            /// The mask of a frame. Any frame: after T of them the first comes again. One load more than a still mask.
             #[inline]
             #[must_use]
             pub const fn frame(&self, frame: u32) -> &'static $mask {

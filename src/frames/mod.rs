@@ -5,11 +5,11 @@
 //! | anything: the default | the samplers' `frame`: frames average as independent ones do, each as blue as the first | |
 //! | a threshold or one number a pixel, and frames that are averaged | [`TimeMask`](masks::TimeMask), feature `threshold-over-time-64` | 128 KiB |
 //! | the same on a tile of 128² pixels, with 64 frames before they repeat (a second at 60 Hz) | the same, `threshold-over-time-128` | 2 MiB |
-//! | pairs of numbers, one sample a frame, averaged over time alone (after a filter over pixels `Sampler` leaves less) | [`VectorTimeMask`](masks::VectorTimeMask), `offset-2d-over-time-64` | 128 KiB |
+//! | pairs of numbers, one sample a frame, averaged over time alone (after a filter over pixels `Sampler` is as good) | [`VectorTimeMask`](masks::VectorTimeMask), `offset-2d-over-time-64` | 128 KiB |
 //! | one of the first two, and a filter that you know | [`masks`], `threshold-filtered-64`, `threshold-filtered-over-time-64` | 8, 128 KiB |
 //! | paths of many dimensions, a picture that is smooth and moves little | `seeds`, `seed-permutation` | 8 KiB, and 8 KiB of `threshold-64` |
 //!
-//! A mask over time costs a look-up, as a still one does; frames of it shown without any average have up to a third more error
+//! A mask over time costs a look-up and one load more than a still one; frames of it shown without any average have up to a third more error
 //! than those of a still one.
 //!
 //! Tables over time sit behind features of their own, off by default. Patents of others are reported on spatiotemporal

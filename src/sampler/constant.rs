@@ -34,4 +34,4 @@ impl Constant {
 }
 
 row_shape!(impl[] Constant);
-row_by_pixels!(impl[] Constant, pair);
+row_by_pixels!(impl[] Constant);

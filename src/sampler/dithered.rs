@@ -199,4 +199,4 @@ impl Pair for DitheredPair {
 
 call_shape!(impl['a, const S: usize] DitheredPixel<'a, S>, single);
 row_shape!(impl['a, const S: usize] Dithered<'a, S>);
-row_by_pixels!(impl['a, const S: usize] Dithered<'a, S>, single);
+row_by_pixels!(impl['a, const S: usize] Dithered<'a, S>);

@@ -124,4 +124,4 @@ static POINTS_REV: [[u32; 2]; 256] = {
 
 call_shape!(impl['a, const S: usize] KeyedPixel<'a, S>, pair);
 row_shape!(impl['a, const S: usize] Keyed<'a, S>);
-row_by_pixels!(impl['a, const S: usize] Keyed<'a, S>, pair);
+row_by_pixels!(impl['a, const S: usize] Keyed<'a, S>);

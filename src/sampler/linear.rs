@@ -96,29 +96,27 @@ impl Sampler {
     }
 
     #[inline]
-    fn pairs_of_row<T>(
+    fn row<const D: usize, T>(
         &self,
-        pad: u32,
         row: [u32; 3],
         domain: u32,
         index: u32,
-        targets: impl Iterator<Item = T>,
-        put: impl Fn(T, [u32; 2]),
+        samples: &mut [[T; D]],
+        convert: impl Fn(u32) -> T + Copy,
     ) {
-        self.words_of_row(pad, row, domain, index, targets, |target, word| put(target, halves(word)));
-    }
-
-    #[inline]
-    fn singles_of_row<T>(
-        &self,
-        pad: u32,
-        row: [u32; 3],
-        domain: u32,
-        index: u32,
-        targets: impl Iterator<Item = T>,
-        put: impl Fn(T, u32),
-    ) {
-        self.words_of_row(pad, row, domain, index, targets, |target, word| put(target, halves(word)[0]));
+        const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: take more from further domains") };
+        let (mut k, mut pad) = (0, 0);
+        while k < D {
+            self.words_of_row(pad, row, domain, index, samples.iter_mut(), |sample, word| {
+                let [u, v] = halves(word);
+                sample[k] = convert(u);
+                if k + 1 < D {
+                    sample[k + 1] = convert(v);
+                }
+            });
+            k += 2;
+            pad += 1;
+        }
     }
 }
 

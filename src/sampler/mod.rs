@@ -99,42 +99,48 @@ macro_rules! call_shape {
             /// what does not depend on the index is done once. Indices wrap after 2³²−1.
             #[inline]
             pub fn fill_fx<const D: usize>(self, domain: u32, first: u32, samples: &mut [[u32; D]]) {
-                $crate::sampler::fill!(samples, D, |value| value, self.singles / pairs(domain, first));
+                self.fill_by(domain, first, samples, |number| number);
             }
 
             /// Samples `first`, `first` + 1, … for purpose `domain`, as by [`draw`](Self::draw), which this outruns: what
             /// does not depend on the index is done once. Indices wrap after 2³²−1.
             #[inline]
             pub fn fill<const D: usize>(self, domain: u32, first: u32, samples: &mut [[f32; D]]) {
-                $crate::sampler::fill!(samples, D, $crate::unit::to_f32, self.singles / pairs(domain, first));
+                self.fill_by(domain, first, samples, $crate::unit::to_f32);
             }
 
+            /// Each number through `convert`. What does not depend on the index stands before the loops.
             #[inline]
-            fn singles<T>(
+            fn fill_by<const D: usize, T>(
                 self,
-                pad: u32,
                 domain: u32,
                 first: u32,
-                targets: impl Iterator<Item = T>,
-                put: impl Fn(T, u32),
+                samples: &mut [[T; D]],
+                convert: impl Fn(u32) -> T + Copy,
             ) {
-                let single = self.$single(domain, pad);
-                let value = |index_rev| $crate::sampler::Single::value(single, index_rev);
-                $crate::sampler::each_rev(first, targets, value, put);
-            }
-
-            #[inline]
-            fn pairs<T>(
-                self,
-                pad: u32,
-                domain: u32,
-                first: u32,
-                targets: impl Iterator<Item = T>,
-                put: impl Fn(T, [u32; 2]),
-            ) {
-                let pair = self.pair(domain, pad);
-                let point = |index_rev| $crate::sampler::Pair::point(pair, index_rev);
-                $crate::sampler::each_rev(first, targets, point, put);
+                use $crate::sampler::{Pair, Single, each_rev};
+                const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: fill more from further domains") };
+                if D == 1 {
+                    let single = self.$single(domain, 0);
+                    each_rev(first, samples, |index, out| out[0] = convert(single.value(index)));
+                    return;
+                }
+                let pair = self.pair(domain, 0);
+                if D == 2 {
+                    each_rev(first, samples, |index, out| [out[0], out[1]] = pair.point(index).map(convert));
+                } else if D == 3 {
+                    let single = self.$single(domain, 1);
+                    each_rev(first, samples, |index, out| {
+                        [out[0], out[1]] = pair.point(index).map(convert);
+                        out[2] = convert(single.value(index));
+                    });
+                } else {
+                    let second = self.pair(domain, 1);
+                    each_rev(first, samples, |index, out| {
+                        [out[0], out[1]] = pair.point(index).map(convert);
+                        [out[2], out[3]] = second.point(index).map(convert);
+                    });
+                }
             }
 
             /// The pixel's first `count` samples for purpose `domain` at once; at most `CAPACITY` of them.
@@ -155,38 +161,9 @@ macro_rules! call_shape {
 }
 use call_shape;
 
-/// Fills `samples` pair by pair, each component through `convert`: `receiver.singles(pad, arguments.., targets, put)`, or
-/// `pairs`, gives all targets their numbers. Places are constants, so that no check is left.
-macro_rules! fill {
-    ($samples:ident, $D:ident, $convert:expr, $receiver:ident.$singles:ident/$pairs:ident $arguments:tt) => {{
-        const { assert!($D >= 1 && $D <= 4, "a domain has 1 to 4 dimensions: fill more from further domains") };
-        if $D == 1 {
-            $crate::sampler::fill!(@single 0, $samples, $convert, $receiver.$singles $arguments);
-        } else {
-            $crate::sampler::fill!(@pair 0, $samples, $convert, $receiver.$pairs $arguments);
-        }
-        if $D == 3 {
-            $crate::sampler::fill!(@single 2, $samples, $convert, $receiver.$singles $arguments);
-        }
-        if $D == 4 {
-            $crate::sampler::fill!(@pair 2, $samples, $convert, $receiver.$pairs $arguments);
-        }
-    }};
-    (@single $k:literal, $samples:ident, $convert:expr, $receiver:ident.$singles:ident($($argument:expr),*)) => {
-        let put = |sample: &mut [_; D], value| [sample[$k]] = [value].map($convert);
-        $receiver.$singles($k / 2, $($argument,)* $samples.iter_mut(), put);
-    };
-    (@pair $k:literal, $samples:ident, $convert:expr, $receiver:ident.$pairs:ident($($argument:expr),*)) => {
-        let put = |sample: &mut [_; D], point: [u32; 2]| [sample[$k], sample[$k + 1]] = point.map($convert);
-        $receiver.$pairs($k / 2, $($argument,)* $samples.iter_mut(), put);
-    };
-}
-use fill;
-
-/// `value` of the bit-reversed indices from `first` on, one for each target. A reversal costs as much as a sample: one for
-/// sixteen.
-#[inline]
-fn each_rev<T, V>(first: u32, targets: impl Iterator<Item = T>, value: impl Fn(u32) -> V, put: impl Fn(T, V)) {
+/// The bit-reversed indices from `first` on, one for each target. A reversal costs as much as a sample: one for sixteen.
+#[inline(always)]
+fn each_rev<T>(first: u32, targets: &mut [T], put: impl Fn(u32, &mut T)) {
     static LOWER: [u32; 16] = {
         let mut reversed = [0; 16];
         let mut k = 0u32;
@@ -199,7 +176,7 @@ fn each_rev<T, V>(first: u32, targets: impl Iterator<Item = T>, value: impl Fn(u
     let mut index = first;
     let mut upper = (index & !15).reverse_bits();
     for target in targets {
-        put(target, value(upper | LOWER[index as usize & 15]));
+        put(upper | LOWER[index as usize & 15], target);
         index = index.wrapping_add(1);
         if index & 15 == 0 {
             upper = index.reverse_bits();

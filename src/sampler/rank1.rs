@@ -92,4 +92,4 @@ impl Pair for Rank1Pair {
 
 call_shape!(impl['a, const S: usize] Rank1Pixel<'a, S>, pair);
 row_shape!(impl['a, const S: usize] Rank1<'a, S>);
-row_by_pixels!(impl['a, const S: usize] Rank1<'a, S>, pair);
+row_by_pixels!(impl['a, const S: usize] Rank1<'a, S>);

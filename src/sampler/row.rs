@@ -1,7 +1,7 @@
 //! The call shape for a row of pixels at once: one sample of each.
 
-/// The public draws of a sampler for a row of pixels, made from two private ones that give single dimensions and pairs
-/// to targets, `singles_of_row` and `pairs_of_row`.
+/// The public draws of a sampler for a row of pixels, made from its private `row`, which puts every number through
+/// `convert`.
 macro_rules! row_shape {
     (impl[$($generics:tt)*] $sampler:ty) => {
         impl<$($generics)*> $sampler {
@@ -18,8 +18,7 @@ macro_rules! row_shape {
                 index: u32,
                 samples: &mut [[u32; D]],
             ) {
-                let row = [x, y, frame];
-                $crate::sampler::fill!(samples, D, |value| value, self.singles_of_row / pairs_of_row(row, domain, index));
+                self.row([x, y, frame], domain, index, samples, |number| number);
             }
 
             /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`: what their
@@ -35,50 +34,29 @@ macro_rules! row_shape {
                 index: u32,
                 samples: &mut [[f32; D]],
             ) {
-                let (row, convert) = ([x, y, frame], $crate::unit::to_f32);
-                $crate::sampler::fill!(samples, D, convert, self.singles_of_row / pairs_of_row(row, domain, index));
+                self.row([x, y, frame], domain, index, samples, $crate::unit::to_f32);
             }
         }
     };
 }
 pub(super) use row_shape;
 
-/// The private draws for a row, pixel by pixel.
+/// The private draws for a row, pixel by pixel: what is the same in all of them is done once.
 macro_rules! row_by_pixels {
-    (impl[$($generics:tt)*] $sampler:ty, $single:ident) => {
+    (impl[$($generics:tt)*] $sampler:ty) => {
         impl<$($generics)*> $sampler {
             #[inline]
-            fn singles_of_row<T>(
+            fn row<const D: usize, T>(
                 &self,
-                pad: u32,
                 [x, y, frame]: [u32; 3],
                 domain: u32,
                 index: u32,
-                targets: impl Iterator<Item = T>,
-                put: impl Fn(T, u32),
+                samples: &mut [[T; D]],
+                convert: impl Fn(u32) -> T + Copy,
             ) {
                 let mut x = x;
-                for target in targets {
-                    let single = self.pixel(x, y, frame).$single(domain, pad);
-                    put(target, $crate::sampler::Single::value(single, index.reverse_bits()));
-                    x = x.wrapping_add(1);
-                }
-            }
-
-            #[inline]
-            fn pairs_of_row<T>(
-                &self,
-                pad: u32,
-                [x, y, frame]: [u32; 3],
-                domain: u32,
-                index: u32,
-                targets: impl Iterator<Item = T>,
-                put: impl Fn(T, [u32; 2]),
-            ) {
-                let mut x = x;
-                for target in targets {
-                    let pair = self.pixel(x, y, frame).pair(domain, pad);
-                    put(target, $crate::sampler::Pair::point(pair, index.reverse_bits()));
+                for sample in samples {
+                    *sample = self.pixel(x, y, frame).draw_fx(domain, index).map(convert);
                     x = x.wrapping_add(1);
                 }
             }

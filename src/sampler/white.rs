@@ -63,4 +63,4 @@ impl Pair for WhitePair {
 
 call_shape!(impl[] WhitePixel, pair);
 row_shape!(impl[] White);
-row_by_pixels!(impl[] White, pair);
+row_by_pixels!(impl[] White);

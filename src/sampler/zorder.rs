@@ -98,4 +98,4 @@ impl Pair for ZOrderPair {
 
 call_shape!(impl[] ZOrderPixel, pair);
 row_shape!(impl[] ZOrder);
-row_by_pixels!(impl[] ZOrder, pair);
+row_by_pixels!(impl[] ZOrder);

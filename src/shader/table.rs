@@ -143,7 +143,7 @@ pub const DIRECTION_NUMBERS: Table = table!(
 );
 
 /// Masks over time, [`time_words`](super::time_words): a texture of the masks one below the other. Besides the size it
-/// takes their number: `const BD_OVER_TIME_FRAMES = 32u;`, 16 for `THRESHOLD_OVER_TIME_64`, 64 for
+/// takes their number: `const BD_OVER_TIME_FRAMES = 32u;`, 16 for both tables of 64² pixels, 64 for
 /// `THRESHOLD_OVER_TIME_128`. Of a `VectorTimeMask` bind the mask of a frame as [`VECTOR_MASK`].
 pub const TIME_MASK: Table = ranks!(6 "bd_over_time" "BD_OVER_TIME_LOG2", sizes!("BD_OVER_TIME_LOG2"));
 

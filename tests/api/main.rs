@@ -1,5 +1,5 @@
-//! What the library promises to those who call it: a module a subject. One program, so that the library's own checks link
-//! once; `cargo test --test api hash` runs one module.
+//! What the library promises to those who call it: a module a subject, of one program, which is linked once.
+//! `cargo test hash::` runs one module.
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "tests on the host")]
 #![allow(clippy::large_stack_arrays, reason = "the tests' own tiles; a test thread has 2 MiB")]
 

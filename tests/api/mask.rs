@@ -160,6 +160,7 @@ baked! {
     "threshold-64" check_scalar THRESHOLD_64;
     "threshold-128" check_scalar THRESHOLD_128;
     "threshold-256" check_scalar THRESHOLD_256;
+    "threshold-filtered-64" check_scalar THRESHOLD_FILTERED_64;
     "offset-1d-16" check_scalar OFFSET_1D_16;
     "offset-1d-32" check_scalar OFFSET_1D_32;
     "offset-1d-64" check_scalar OFFSET_1D_64;

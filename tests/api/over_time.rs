@@ -85,6 +85,9 @@ fn mask_of_64_frames() {
 #[test]
 fn filtered_mask_of_16_frames() {
     for (t, frame) in (0u32..).zip(tables::THRESHOLD_FILTERED_OVER_TIME_64.frames()) {
+        let mut ranks = frame.ranks().as_flattened().to_vec();
+        ranks.sort_unstable();
+        assert!(ranks.iter().enumerate().all(|(i, &rank)| i == usize::from(rank)), "frame {t}: every rank once");
         assert_eq!(tables::THRESHOLD_FILTERED_OVER_TIME_64.frame(t.wrapping_sub(16)), *frame, "loops");
     }
 }

@@ -250,6 +250,10 @@ fn six_frames_halve_the_filtered_error_of_paths() {
     println!("8x8 {eight:.3?}, 4x4 {four:.3?}; by sorting alone {sorted:.3?}; none {none:.3?}");
     assert!(eight[0] <= 0.52 && eight[1] <= 0.48, "8x8: {eight:?}");
     assert!(four[0] <= 0.48 && four[1] <= 0.56, "4x4, which sorting alone does not reach: {four:?}");
+    assert!(
+        sorted[0][0] < eight[0] && sorted[0][1] > eight[1],
+        "8x8: narrow by sorting alone, wide by both: {sorted:?}"
+    );
     assert!(sorted[1][0] > 0.48, "4x4 by sorting alone: {sorted:?}");
     assert_eq!(none, [1.0; 2]);
 }

@@ -52,7 +52,7 @@ fn conversion_is_monotone_over_a_sample_of_all_numbers() {
     assert_monotone(251);
 }
 
-/// `cargo test --release --test api unit -- --ignored`: some seconds.
+/// `cargo test --release --test api unit:: -- --ignored`: some seconds.
 #[test]
 #[ignore = "all 2³² numbers"]
 fn conversion_is_monotone_over_all_numbers() {

@@ -1,6 +1,6 @@
 //! Masks for a filter: less error after it than the default mask leaves, on integrands that no optimiser saw.
 //!
-//! `cargo test --test bake filtered -- --nocapture` prints the figures: filtered error over that of the same values in random
+//! `cargo test --test bake filtered:: -- --nocapture` prints the figures: filtered error over that of the same values in random
 //! places, of the default mask and of the one for the filter; white is 1.
 
 use crate::analysis::integrands::{Integrand1, evaluation_smooth_1d, evaluation_step_1d};

@@ -1,6 +1,6 @@
 //! What keys and shifted lattices leave of the error: W = filtered error over that of [`White`] with as many samples,
 //! at sigma 1.0 and 2.1 pixels, smaller is better. The integrands are outside everything that an optimiser sees. `cargo
-//! test --release --test bake keys_quality -- --nocapture --include-ignored` prints the tables.
+//! test --release --test bake keys_quality:: -- --nocapture --include-ignored` prints the tables.
 
 use crate::analysis::SIGMAS;
 use crate::analysis::error::ErrorImage;

@@ -1,5 +1,5 @@
 //! The bake, which build.rs runs: algorithms against naive twins, what is frozen against what it finds, and how much of the
-//! error its tables leave. `cargo test --test bake sizes` runs one module.
+//! error its tables leave. `cargo test sizes::` runs one module.
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "tests on the host")]
 #![allow(clippy::print_stdout, reason = "tables are printed on request")]
 
@@ -21,8 +21,8 @@ mod filtered;
 mod keys;
 mod keys_quality;
 mod linear_order;
+mod mask_quality;
 mod published_energy;
-mod quality;
 mod rebake;
 mod sizes;
 mod void_and_cluster;

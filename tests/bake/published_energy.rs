@@ -9,7 +9,7 @@ const SIZE: usize = 64;
 const SWAPS: u32 = 1000;
 
 /// Energies of 20,000 swaps a pixel, 64², seed 1, to be approached by SWAPS. Own output, frozen; printed by
-/// `cargo test --release --test bake energy -- --ignored --nocapture`.
+/// `cargo test --release --test bake published_energy:: -- --ignored --nocapture`.
 const LONG_RUN_2D: f64 = 7.57984;
 const LONG_RUN_3D: f64 = 7.28142;
 

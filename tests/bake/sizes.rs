@@ -1,5 +1,6 @@
 //! What a table costs: pinned here, stated in Cargo.toml, in the docs and in the README, and all agree.
 
+use bluedither::frames::masks::TimeMask;
 use bluedither::{ScalarMask, VectorMask, linear, sobol};
 
 /// Feature and bytes.
@@ -67,6 +68,7 @@ fn masks_hold_nothing_but_ranks() {
     assert_eq!(size_of::<ScalarMask<16>>(), 512);
     assert_eq!(size_of::<ScalarMask<256>>(), 131_072);
     assert_eq!(size_of::<VectorMask<2, 64>>(), 16_384);
+    assert_eq!(size_of::<TimeMask<32, 16>>(), 16 * size_of::<usize>());
     #[cfg(feature = "threshold-64")]
     assert_eq!(size_of_val(&bluedither::tables::THRESHOLD_64), 8_192);
     #[cfg(feature = "offset-2d-64")]

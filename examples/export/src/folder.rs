@@ -48,7 +48,8 @@ impl Folder {
         let count = self.files.len();
         self.write(MANIFEST, "what was written, from what, with digests", manifest.as_bytes())?;
         let effort = bluedither::tables::EFFORT.name();
-        println!("{count} files of {} tables, baked at {effort} effort, in {}", tables.len(), self.path.display());
+        let of = if tables.is_empty() { String::new() } else { format!(" of {} tables", tables.len()) };
+        println!("{count} files{of}, baked at {effort} effort, in {}", self.path.display());
         Ok(())
     }
 

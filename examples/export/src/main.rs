@@ -47,7 +47,7 @@ fn main() -> ExitCode {
 
 /// Textures, then languages, then the manifest of both.
 fn run(arguments: &Arguments) -> Result<(), String> {
-    let mut tables = tables::named(&arguments.mask)?;
+    let tables = tables::named(&arguments.mask)?;
     let mut folder = Folder::create(&arguments.out)?;
     if arguments.textures() {
         for table in &tables {
@@ -72,12 +72,11 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     if languages.iter().any(|language| !matches!(language, Language::C | Language::Web)) {
         shaders::write_tables(&mut folder)?;
     }
-    if !arguments.textures() && !languages.contains(&Language::C) {
-        tables.clear(); // what the shaders' bindings hold is said with its files
-    }
     if tables.iter().any(|table| table.kind == tables::Kind::Directions) {
         let text = include_bytes!("../../../tables/joe_kuo.LICENSE.txt");
         folder.write("joe_kuo.LICENSE.txt", "licence of the direction numbers", text)?;
     }
-    folder.close(&tables)
+    // What the shaders' bindings hold is said with its files.
+    let written = arguments.textures() || languages.contains(&Language::C);
+    folder.close(if written { &tables } else { &[] })
 }

@@ -58,10 +58,13 @@ fn the_page_runs() {
         browser.run(&format!("document.querySelector('input[value={mode}]').click()"));
         browser.wait(&format!("return document.body.dataset.measured === '4 {mode}'"));
     }
-    for view in
-        browser.run("return document.querySelectorAll('input[name=view]').length").parse().map_or(0..0, |n| 0..n)
-    {
+    let views: usize =
+        browser.run("return document.querySelectorAll('input[name=view]').length").parse().expect("a count");
+    assert!(views > 1, "{views} views");
+    for view in 0..views {
         browser.run(&format!("document.querySelectorAll('input[name=view]')[{view}].click()"));
+        browser.run("document.body.dataset.drawn = ''; requestAnimationFrame(() => requestAnimationFrame(() => document.body.dataset.drawn = 'yes'))");
+        browser.wait("return document.body.dataset.drawn === 'yes'");
     }
     assert_eq!(browser.log().replace(' ', ""), r#"{"value":[]}"#);
 }

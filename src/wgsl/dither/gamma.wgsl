@@ -1,5 +1,5 @@
-// sRGB and linear light, both of 16 bits (larger numbers are not defined). As `bluedither::dither::gamma`; the light of the 256 values of 8 bits comes
-// from a function that you write, or take with `shader::LINEAR_LIGHT`:
+// sRGB and linear light, both of 16 bits (larger numbers are not defined). As `bluedither::dither::gamma`; the light of
+// the 256 values of 8 bits comes from a function that you write, or take with `shader::LINEAR_LIGHT`:
 //     fn bd_gamma_load(i: u32) -> u32
 
 // Linear light of an sRGB value.

@@ -1,5 +1,5 @@
-// One value, one threshold: a level. Values and levels are of 16 bits; of larger
-// ones the result is not defined. As `bluedither::dither::quantise`.
+// One value, one threshold: a level. Values and levels are of 16 bits; of larger ones the result is not defined. As
+// `bluedither::dither::quantise`.
 
 // The level of `value` of 0..=max: the upper of two neighbours where its way between them exceeds the threshold.
 fn bd_quantise_level(value: u32, max_: u32, levels: u32, threshold_fx: u32) -> u32 {

@@ -92,14 +92,15 @@ pub(crate) fn tables(input: &mut Input<'_>) {
     _ = tables.map(|tables| tables.value(input.word(), input.word(), input.word(), input.word()));
 }
 
-/// Rows of best candidates beside rows that are shorter: no panic, and the same row again.
+/// Rows of best candidates beside rows that are shorter: no panic, the same row whatever stood there, and no more of it.
 pub(crate) fn candidates(input: &mut Input<'_>) {
     let (above, mut row) = ([[[input.word(); 2]; 12]; 2], [[7; 2]; 12]);
     let [far, near, length] = [(); 3].map(|()| input.length(9, 12));
-    let (seed, y, mut again) = (input.word(), input.word(), row);
+    let (seed, y, mut again) = (input.word(), input.word(), [[8; 2]; 12]);
     candidate::fill_row(seed, y, [&above[0][..far], &above[1][..near]], &mut row[..length]);
     candidate::fill_row(seed, y, [&above[0][..far], &above[1][..near]], &mut again[..length]);
-    assert_eq!(row, again);
+    assert_eq!(row[..length], again[..length]);
+    assert!(row[length..].iter().all(|&pair| pair == [7; 2]) && again[length..].iter().all(|&pair| pair == [8; 2]));
 }
 
 /// Seeds of pictures of any size: none is lost.
@@ -159,5 +160,7 @@ pub(crate) fn floats(input: &mut Input<'_>) {
         let color = Rgb888::new(input.byte(), input.byte(), input.byte());
         screen.fill_solid(&area, color).expect("infallible");
         screen.draw_iter([Pixel(at, color)]).expect("infallible");
+        // As many colours as are given, which may be fewer than the area has pixels.
+        screen.fill_contiguous(&area, [color; 5]).expect("infallible");
     }
 }

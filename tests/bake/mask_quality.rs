@@ -2,7 +2,7 @@
 //!
 //! R = filtered error over that of the same values in random places, at sigma 1.0 and 2.1 pixels; white is 1. The
 //! patterns are those of the global offset: i/N + v in 1D, the first N Sobol points + v in 2D. The integrands are
-//! outside everything that an optimiser sees. `cargo test --release --test bake quality -- --nocapture
+//! outside everything that an optimiser sees. `cargo test --release --test bake mask_quality:: -- --nocapture
 //! --include-ignored` prints the tables.
 
 use crate::analysis::SIGMAS;
