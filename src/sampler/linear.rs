@@ -105,17 +105,21 @@ impl Sampler {
         convert: impl Fn(u32) -> T + Copy,
     ) {
         const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: take more from further domains") };
-        let (mut k, mut pad) = (0, 0);
-        while k < D {
-            self.words_of_row(pad, row, domain, index, samples.iter_mut(), |sample, word| {
+        self.words_of_row(0, row, domain, index, samples.iter_mut(), |sample, word| {
+            let [u, v] = halves(word);
+            sample[0] = convert(u);
+            if D > 1 {
+                sample[1] = convert(v);
+            }
+        });
+        if D > 2 {
+            self.words_of_row(1, row, domain, index, samples.iter_mut(), |sample, word| {
                 let [u, v] = halves(word);
-                sample[k] = convert(u);
-                if k + 1 < D {
-                    sample[k + 1] = convert(v);
+                sample[2] = convert(u);
+                if D > 3 {
+                    sample[3] = convert(v);
                 }
             });
-            k += 2;
-            pad += 1;
         }
     }
 }
