@@ -61,8 +61,9 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
         Kind::Retargeting => format!("{:?}, {}, {}", retarget::STEP, retarget::ROUNDS, tiles.collect::<String>()),
         _ => tiles.collect(),
     };
+    let several_are = if frames == 1 { "" } else { " and a pointer a frame" };
     format!(
-        "/// {what}, {size}×{size} pixels{several}, {} bytes, baked at {} effort.\n\
+        "/// {what}, {size}×{size} pixels{several}, {} bytes{several_are}, baked at {} effort.\n\
          pub static {}: {} = {made}::new({numbers});\n",
         recipe.bytes(),
         effort.name(),

@@ -1,7 +1,7 @@
 //! What baking reads from `tables/`: lists of integers, each with its provenance and its formula.
 //!
-//! They are files and not calls of `exp` and `cos`, so that no recorded mask changes with a library's last digit. What is read
-//! is held against its formula and its digest, so that a damaged file is an error and not a worse picture.
+//! They are files and not calls of `exp` and `cos`, so that no recorded mask changes with a library's last digit. What
+//! is read is held against its formula and its digest, so that a damaged file is an error and not a worse picture.
 
 use std::path::Path;
 

@@ -57,8 +57,8 @@ pub const OWN: f64 = 0.7;
 /// 2²⁰·[`OWN`]·exp(−t²/(2·1.5²)) at a distance of t frames. With 1 instead of .7, frames have a third more power at low
 /// frequencies; with a deviation of 1.9, successive frames differ less.
 pub const TIME_KERNEL: [i32; 6] = [734_003, 587_744, 301_758, 99_337, 20_967, 2_838];
-/// The same for offsets: 128·.7·exp(−t²/(2·1.5²)). With 1.7 instead of .7, frames have a tenth more error and the mean of
-/// 16 a twentieth less.
+/// The same for offsets: 128·[`OWN`]·exp(−t²/(2·1.5²)). With 1.7 instead of .7, frames have a tenth more error and the
+/// mean of 16 a twentieth less.
 pub const OFFSET_TIME_KERNEL: [i32; 4] = [90, 72, 37, 12];
 
 /// Every recipe; each is a feature of the crate.

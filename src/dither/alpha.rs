@@ -1,7 +1,7 @@
 //! Alpha: blended with a background before dithering, or dithered itself.
 //!
-//! Blending rounds to 16 bits, so next to nothing is lost before the dither. For a picture on top of what a screen already shows,
-//! dither the alpha: [`Dither::stencil_row`](super::Dither::stencil_row) says which pixels to draw, and
+//! Blending rounds to 16 bits, so next to nothing is lost before the dither. For a picture on top of what a screen
+//! already shows, dither the alpha: [`Dither::stencil_row`](super::Dither::stencil_row) says which pixels to draw, and
 //! [`Dither::levels_row`](super::Dither::levels_row) of four channels gives it any number of levels.
 
 use super::RowError;

@@ -138,9 +138,9 @@ impl<'a> Dither<'a> {
         self
     }
 
-    /// Triangularly distributed noise of ±1 level (see [`quantise::triangular`]) instead of noise between two levels: the
-    /// error's variance no longer depends on the value, except within half a level of black and white. Two levels stay as they
-    /// were. Slower: pixel by pixel. Replaces `gamma`.
+    /// Triangularly distributed noise of ±1 level (see [`quantise::triangular`]) instead of noise between two levels:
+    /// the error's variance no longer depends on the value, except within half a level of black and white. Two levels
+    /// stay as they were. Slower: pixel by pixel. Replaces `gamma`.
     #[must_use]
     pub const fn triangular(mut self) -> Self {
         self.rule = Rule::Triangular;

@@ -1,11 +1,13 @@
-//! Masks over time, or spatiotemporal masks: a mask for every frame, blue in each frame and in each pixel's sequence of frames.
+//! Masks over time, or spatiotemporal masks: a mask for every frame, blue in each frame and in each pixel's sequence of
+//! frames.
 //!
 //! Thresholds by void-and-cluster in three dimensions (Ulichney 1993; Wolfe and others 2022), with the frames' tiles treated
 //! alike at every step, so that each is a permutation of its ranks as a still mask is; pairs by swaps within their frame,
 //! so that each holds the net that a still mask holds. After the last frame the first follows.
 //!
-//! For numbers (a threshold, a ray-march start, the pair of one light) whose frames are averaged by the eye, by a filter or
-//! over time. Error of smooth integrands over that of one frame of white noise, unfiltered and after a Gaussian of 1 pixel:
+//! For numbers (a threshold, a ray-march start) whose frames are averaged by the eye, by a filter or over time, and for
+//! pairs (of one light) whose frames are averaged over time alone. Error of smooth integrands over that of one frame of
+//! white noise, unfiltered and after a Gaussian of 1 pixel:
 //!
 //! | mean of | 1 frame | 2 | 4 | 16 |
 //! |---|---|---|---|---|
@@ -16,8 +18,8 @@
 //! | pairs over time, 64×64×8 | 1 / .43 | .58 / .28 | .31 / .18 | .17 / .12 |
 //! | pairs over time, 32×32×16 | 1 / .44 | .57 / .28 | .31 / .18 | .12 / .08 |
 //!
-//! Pairs are for averages over time alone: after a Gaussian of 1 pixel `Sampler` leaves .33 of white noise's
-//! error in one frame, and a quarter of that, as much as they do, in 16. `cargo test --all-features -- over_time:: animation::
+//! After a Gaussian of 1 pixel `Sampler` leaves .33 of white noise's error in one frame and a quarter of that in 16, as
+//! much as pairs of 32². `cargo test --all-features -- over_time:: animation::
 //! filtered:: --nocapture` prints these tables.
 //!
 //! # For a filter that you know
@@ -55,28 +57,28 @@ use crate::mask::{ScalarMask, VectorMask};
 
 /// T masks of S×S pixels; T is a power of two. To dither by one, `Dither::blue(mask.frame(n))`, without `Dither::frame`.
 ///
-/// What it holds are references to masks that are `static`, each by itself: T pointers beside the bytes of the masks.
+/// It holds references: T pointers beside the bytes of the masks, which can be yours and made at run time.
 #[doc(alias = "spatiotemporal")]
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TimeMask<const S: usize, const T: usize> {
-    frames: [&'static ScalarMask<S>; T],
+pub struct TimeMask<'a, const S: usize, const T: usize> {
+    frames: [&'a ScalarMask<S>; T],
 }
 
 /// The same for pairs of numbers: offsets of two-dimensional samples. To sample by one,
 /// `Dithered::with_masks(thresholds, mask.frame(n), seed)`, with frame 0.
 #[doc(alias = "spatiotemporal")]
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VectorTimeMask<const S: usize, const T: usize> {
-    frames: [&'static VectorMask<2, S>; T],
+pub struct VectorTimeMask<'a, const S: usize, const T: usize> {
+    frames: [&'a VectorMask<2, S>; T],
 }
 
 /// What both have. Frames are apart, so that no table is too large for a compiler.
 macro_rules! frames_of {
     ($masks:ident of $mask:ty) => {
-        impl<const S: usize, const T: usize> $masks<S, T> {
+        impl<'a, const S: usize, const T: usize> $masks<'a, S, T> {
             /// Masks of your own, one for each frame.
             #[must_use]
-            pub const fn new(frames: [&'static $mask; T]) -> Self {
+            pub const fn new(frames: [&'a $mask; T]) -> Self {
                 const { assert!(T.is_power_of_two() && T <= 1 << 16, "the number of frames is a power of two") };
                 Self { frames }
             }
@@ -84,14 +86,14 @@ macro_rules! frames_of {
             /// The mask of a frame. Any frame: after T of them the first comes again. One load more than a still mask.
             #[inline]
             #[must_use]
-            pub const fn frame(&self, frame: u32) -> &'static $mask {
+            pub const fn frame(&self, frame: u32) -> &'a $mask {
                 self.frames[frame as usize & (T - 1)]
             }
 
             /// All masks.
             #[inline]
             #[must_use]
-            pub const fn frames(&self) -> &[&'static $mask; T] {
+            pub const fn frames(&self) -> &[&'a $mask; T] {
                 &self.frames
             }
         }

@@ -9,8 +9,8 @@
 //! | one of the first two, and a filter that you know | [`masks`], `threshold-filtered-64`, `threshold-filtered-over-time-64` | 8, 128 KiB |
 //! | paths of many dimensions, a picture that is smooth and moves little | `seeds`, `seed-permutation` | 8 KiB, and 8 KiB of `threshold-64` |
 //!
-//! A mask over time costs a look-up and one load more than a still one; frames of it shown without any average have up to a third more error
-//! than those of a still one.
+//! A mask over time costs a look-up and one load more than a still one; frames of it shown without any average have up
+//! to a third more error than those of a still one.
 //!
 //! Tables over time sit behind features of their own, off by default. Patents of others are reported on spatiotemporal
 //! blue-noise masks, and may touch the rest, filters over time and seed permutation: have that checked before you ship

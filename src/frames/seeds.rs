@@ -5,11 +5,12 @@
 //! sort:     in every block, the seed of the k-th darkest estimate goes to the pixel of k-th smallest rank in a mask
 //! retarget: pairs of neighbours swap seeds, so that what was sorted for this frame's place of the mask fits the next's
 //! ```
-//! A seed that was dark here will be dark a few pixels away, so the next frame's errors follow the mask. On a smooth wall
-//! (`tests/api/seeds.rs`) six frames leave .43 of white's filtered error with blocks of 4 pixels a side, and .53 without the
-//! second step; with 8 a side it is .39 and .36, since sorting alone moves seeds as far: there it helps after wider filters
-//! only, .40 for .43 at 2.1 pixels. Both steps only permute: each seed is used once a frame, as it was before, so estimates stay
-//! unbiased over random first seeds. (`cargo test --all-features --test api seeds:: -- --nocapture` prints the figures.)
+//! A seed that was dark here will be dark a few pixels away, so the next frame's errors follow the mask. On a smooth
+//! wall (`tests/api/seeds.rs`) six frames leave .43 of white's filtered error with blocks of 4 pixels a side, and .53
+//! without the second step; with 8 a side it is .39 and .36, since sorting alone moves seeds as far: there it helps
+//! after wider filters only, .40 for .43 at 2.1 pixels. Both steps only permute: each seed is used once a frame, as it
+//! was before, so estimates stay unbiased over random first seeds. (`cargo test --all-features --test api seeds:: --
+//! --nocapture` prints the figures.)
 //!
 //! For paths of many bounces, where samplers have nothing to offer over several pixels. It needs frames that resemble
 //! each other: after a cut it starts anew, and where the picture is rough, or moves by more than what is alike in it, the

@@ -95,15 +95,17 @@ macro_rules! call_shape {
                 $crate::unit::to_f32s(self.draw_fx(domain, index))
             }
 
-            /// Samples `first`, `first` + 1, … for purpose `domain`, as by [`draw_fx`](Self::draw_fx), which this outruns:
-            /// what does not depend on the index is done once. Indices wrap after 2³²−1.
+            /// Samples `first`, `first` + 1, … for purpose `domain`, D = 1..4 numbers each: what
+            /// [`draw_fx`](Self::draw_fx) returns, but what does not depend on the index is done once, which pays off from
+            /// a few samples on. Indices wrap after 2³²−1.
             #[inline]
             pub fn fill_fx<const D: usize>(self, domain: u32, first: u32, samples: &mut [[u32; D]]) {
                 self.fill_by(domain, first, samples, |number| number);
             }
 
-            /// Samples `first`, `first` + 1, … for purpose `domain`, as by [`draw`](Self::draw), which this outruns: what
-            /// does not depend on the index is done once. Indices wrap after 2³²−1.
+            /// Samples `first`, `first` + 1, … for purpose `domain`, D = 1..4 numbers each: what [`draw`](Self::draw)
+            /// returns, but what does not depend on the index is done once, which pays off from a few samples on. Indices
+            /// wrap after 2³²−1.
             #[inline]
             pub fn fill<const D: usize>(self, domain: u32, first: u32, samples: &mut [[f32; D]]) {
                 self.fill_by(domain, first, samples, $crate::unit::to_f32);

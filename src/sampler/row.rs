@@ -5,7 +5,7 @@
 macro_rules! row_shape {
     (impl[$($generics:tt)*] $sampler:ty) => {
         impl<$($generics)*> $sampler {
-            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`: what their
+            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`, D = 1..4 numbers each: what their
             /// `pixel(..).draw_fx(domain, index)` return. Coordinates wrap after 2³²−1.
             #[inline]
             #[allow(clippy::too_many_arguments, reason = "a pixel and a draw")]
@@ -21,7 +21,7 @@ macro_rules! row_shape {
                 self.row([x, y, frame], domain, index, samples, |number| number);
             }
 
-            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`: what their
+            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`, D = 1..4 numbers each: what their
             /// `pixel(..).draw(domain, index)` return. Coordinates wrap after 2³²−1.
             #[inline]
             #[allow(clippy::too_many_arguments, reason = "a pixel and a draw")]
@@ -41,7 +41,7 @@ macro_rules! row_shape {
 }
 pub(super) use row_shape;
 
-/// The private draws for a row, pixel by pixel: what is the same in all of them is done once.
+/// The private draws for a row, pixel by pixel: what is the same in all is inlined, for the compiler to take out.
 macro_rules! row_by_pixels {
     (impl[$($generics:tt)*] $sampler:ty) => {
         impl<$($generics)*> $sampler {

@@ -34,8 +34,7 @@
 //! rows of [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so are
 //! [`warp`](crate::warp), whose functions have other bits on every device, and `unit::to_f64`. `Dither::gamma` is
 //! `bd_gamma_level` of a pixel's threshold; of several numbers some functions have a form for each count (`to_f32s2`,
-//! `global3`). Importers such as naga_oil and WESL take the texts as they are, each under a path of your choice: names
-//! never clash.
+//! `global3`). All names begin with `bd_`, and each text declares its own once.
 
 mod table;
 mod words;

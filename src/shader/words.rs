@@ -44,7 +44,7 @@ pub fn direction_words<const D: usize>(directions: &Directions<D>) -> impl Itera
 
 /// The ranks of masks over time, two a word, for [`TIME_MASK`](super::TIME_MASK).
 pub fn time_words<const S: usize, const T: usize>(
-    mask: &crate::frames::masks::TimeMask<S, T>,
+    mask: &crate::frames::masks::TimeMask<'_, S, T>,
 ) -> impl Iterator<Item = u32> + Clone {
     mask.frames().iter().flat_map(|mask| scalar_words(mask))
 }

@@ -76,6 +76,7 @@ fn sixteen_frames_of_masks() {
         println!("{name}: one {one:.3?}, mean of 16 {mean:.3?}, of white's one");
         assert!(mean[0] <= limits[0] * one[0], "{name}: {mean:?} of {one:?}");
         assert!(mean[1] <= limits[1], "{name}: {mean:?}");
+        assert!(mean[1] / mean[0] <= 1.15 * one[1] / one[0], "{name}: less blue than a frame: {mean:?}, {one:?}");
     }
     // Independent frames: .25.
     check("1D", &smooth_1d(), [0.26, 0.10]);

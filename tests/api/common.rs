@@ -1,6 +1,4 @@
 //! What the tests of samplers share: every sampler of the crate in one list, and masks that need no table.
-#![allow(dead_code, unused_imports, unused_macros, reason = "every test file uses a part of it")]
-
 use std::sync::LazyLock;
 
 use bluedither::{Keys, ScalarMask, VectorMask, sobol, unit};

@@ -3,7 +3,8 @@
 //! Those of single functions stand with their other tests: offsets in `shift.rs`, conversion to floats in `unit.rs`, a
 //! mask's far corner in `mask.rs`, floats that are no numbers in `warp.rs`, a billion points of a sequence in
 //! `lattice.rs`, and the optimisers' and those of constant integrands in `published_energy.rs`, `anneal.rs`,
-//! `void_and_cluster.rs` and `linear_order.rs` of `tests/bake`. That no sampler returns 1.0 follows from `unit.rs` and is seen in `call_shape.rs`.
+//! `void_and_cluster.rs` and `linear_order.rs` of `tests/bake`. That no sampler returns 1.0 follows from `unit.rs` and
+//! is seen in `call_shape.rs`.
 
 use crate::analysis::error::ErrorImage;
 use crate::common::{NO_CORRELATION, SIZE, correlation, for_every_sampler, image};

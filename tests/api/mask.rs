@@ -37,18 +37,21 @@ fn naive_value(rank: u16, size: usize) -> u32 {
     u32::try_from(value).expect("below 1")
 }
 
+/// Pairs of coordinates as a look-up takes them, each with the column and the row of a tile that it is to find.
+fn look_ups(size: usize) -> impl Iterator<Item = [(u32, usize); 2]> {
+    let place = move |c: i32| (c as u32, c.rem_euclid(size as i32) as usize);
+    COORDINATES.into_iter().flat_map(move |y| COORDINATES.map(|x| [place(x), place(y)]))
+}
+
 fn check_scalar<const S: usize>(mask: &ScalarMask<S>) {
     let mut seen = vec![false; S * S];
-    for y in COORDINATES {
-        for x in COORDINATES {
-            let (column, row) = (x.rem_euclid(S as i32) as usize, y.rem_euclid(S as i32) as usize);
-            let rank = mask.rank(x as u32, y as u32);
-            assert_eq!(rank, mask.ranks()[row][column], "{x}, {y} in {S}²");
-            let value = mask.value_fx(x as u32, y as u32);
-            assert_eq!(value, naive_value(rank, S), "rank {rank} of {S}²");
-            assert_eq!(mask.value(x as u32, y as u32).to_bits(), bluedither::unit::to_f32(value).to_bits());
-            assert!(mask.value(x as u32, y as u32) > 0.0 && mask.value(x as u32, y as u32) < 1.0);
-        }
+    for [(x, column), (y, row)] in look_ups(S) {
+        let rank = mask.rank(x, y);
+        assert_eq!(rank, mask.ranks()[row][column], "{x}, {y} in {S}²");
+        let value = mask.value_fx(x, y);
+        assert_eq!(value, naive_value(rank, S), "rank {rank} of {S}²");
+        assert_eq!(mask.value(x, y).to_bits(), bluedither::unit::to_f32(value).to_bits());
+        assert!(mask.value(x, y) > 0.0 && mask.value(x, y) < 1.0);
     }
     let mut sum = 0u64;
     for y in 0..S as u32 {
@@ -63,15 +66,12 @@ fn check_scalar<const S: usize>(mask: &ScalarMask<S>) {
 }
 
 fn check_vector<const D: usize, const S: usize>(mask: &VectorMask<D, S>) {
-    for y in COORDINATES {
-        for x in COORDINATES {
-            let (column, row) = (x.rem_euclid(S as i32) as usize, y.rem_euclid(S as i32) as usize);
-            let ranks = mask.rank(x as u32, y as u32);
-            assert_eq!(ranks, mask.ranks()[row][column], "{x}, {y} in {S}²");
-            let values = mask.value_fx(x as u32, y as u32);
-            assert_eq!(values, ranks.map(|rank| naive_value(rank, S)));
-            assert_eq!(mask.value(x as u32, y as u32), bluedither::unit::to_f32s(values));
-        }
+    for [(x, column), (y, row)] in look_ups(S) {
+        let ranks = mask.rank(x, y);
+        assert_eq!(ranks, mask.ranks()[row][column], "{x}, {y} in {S}²");
+        let values = mask.value_fx(x, y);
+        assert_eq!(values, ranks.map(|rank| naive_value(rank, S)));
+        assert_eq!(mask.value(x, y), bluedither::unit::to_f32s(values));
     }
     for channel in 0..D {
         let mut seen = vec![false; S * S];

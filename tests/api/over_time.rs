@@ -109,7 +109,7 @@ fn left<const S: usize>(integrands: &[Integrand2], frames: &[&VectorMask<2, S>])
     sums.map(|sum| (sum / integrands.len() as f64).sqrt())
 }
 
-fn check_pairs<const S: usize, const T: usize>(mask: &VectorTimeMask<S, T>, still: &VectorMask<2, S>) {
+fn check_pairs<const S: usize, const T: usize>(mask: &VectorTimeMask<'_, S, T>, still: &VectorMask<2, S>) {
     let mut set = still.ranks().as_flattened().to_vec();
     set.sort_unstable();
     for (t, frame) in (0u32..).zip(mask.frames()) {

@@ -245,9 +245,8 @@ fn six_frames_halve_the_filtered_error_of_paths() {
     let exact = render(&first_seeds(99), 0.0, 64);
     let eight = after_frames::<8>(6, true, &exact);
     let four = after_frames::<4>(6, true, &exact);
-    let none = after_frames::<8>(0, true, &exact);
     let sorted = [after_frames::<8>(6, false, &exact), after_frames::<4>(6, false, &exact)];
-    println!("8x8 {eight:.3?}, 4x4 {four:.3?}; by sorting alone {sorted:.3?}; none {none:.3?}");
+    println!("8x8 {eight:.3?}, 4x4 {four:.3?}; by sorting alone {sorted:.3?}");
     assert!(eight[0] <= 0.52 && eight[1] <= 0.48, "8x8: {eight:?}");
     assert!(four[0] <= 0.48 && four[1] <= 0.56, "4x4, which sorting alone does not reach: {four:?}");
     assert!(
@@ -255,5 +254,4 @@ fn six_frames_halve_the_filtered_error_of_paths() {
         "8x8: narrow by sorting alone, wide by both: {sorted:?}"
     );
     assert!(sorted[1][0] > 0.48, "4x4 by sorting alone: {sorted:?}");
-    assert_eq!(none, [1.0; 2]);
 }

@@ -1,7 +1,5 @@
 //! The annealer against a twin that packs nothing and keeps no field, and the features that it is fed.
 
-use std::path::PathBuf;
-
 use bluedither::{lattice, sobol};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
@@ -10,12 +8,6 @@ use crate::bake::anneal::{Features, LANES, anneal};
 use crate::bake::features::{Column, Pattern, value_order, value_set, vectors};
 use crate::bake::inputs::Inputs;
 use crate::bake::recipe::OFFSET_TIME_KERNEL;
-use crate::bake::record::Digests;
-
-fn inputs() -> Inputs {
-    let tables = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables");
-    Inputs::read(&tables, &Digests::read(&tables).expect("digests")).expect("inputs")
-}
 
 impl Inputs {
     fn columns(&self, pattern: Pattern) -> &[Column] {
@@ -45,7 +37,7 @@ struct Problem {
 
 impl Problem {
     fn recorded(pattern: Pattern, size_log2: u32) -> Self {
-        let (inputs, set) = (inputs(), value_set(channels(pattern), size_log2));
+        let (inputs, set) = (crate::recorded().1, value_set(channels(pattern), size_log2));
         let features = vectors(&set, pattern, size_log2, inputs.columns(pattern), &inputs.cosine);
         let (order, kernel) = (value_order(&set), inputs.anneal_kernel);
         Self { size_log2, frames_log2: 0, time_kernel: Vec::new(), features, order, kernel }
@@ -215,7 +207,7 @@ fn other_kernels_make_no_difference() {
 
 #[test]
 fn no_sum_overflows() {
-    let kernel = inputs().anneal_kernel;
+    let kernel = crate::recorded().1.anneal_kernel;
     let offsets = (-4i64..=4).flat_map(|y| (-4i64..=4).map(move |x| (x * x + y * y) as usize));
     let weights: i64 = offsets.filter(|r2| (1..25).contains(r2)).map(|r2| i64::from(kernel[r2])).sum();
     // All lanes at once, p's neighbours and q's as unlike as can be.
@@ -322,7 +314,7 @@ fn feature(pattern: Pattern, column: &Column, value: [u16; 2], area: f64) -> [f6
 
 #[test]
 fn features_are_sums_of_cosines() {
-    let inputs = inputs();
+    let inputs = crate::recorded().1;
     for (pattern, size_log2) in PATTERNS.into_iter().flat_map(|pattern| [(pattern, 4), (pattern, 6)]) {
         let (set, columns) = (value_set(channels(pattern), size_log2), inputs.columns(pattern));
         let vectors = vectors(&set, pattern, size_log2, columns, &inputs.cosine);
@@ -339,7 +331,7 @@ fn features_are_sums_of_cosines() {
 
 #[test]
 fn features_stay_below_64() {
-    let inputs = inputs();
+    let inputs = crate::recorded().1;
     for pattern in PATTERNS {
         for size_log2 in 4..=7 {
             let set = value_set(channels(pattern), size_log2);

@@ -1,22 +1,19 @@
 //! Masks for a filter: less error after it than the default mask leaves, on integrands that no optimiser saw.
 //!
-//! `cargo test --test bake filtered:: -- --nocapture` prints the figures: filtered error over that of the same values in random
-//! places, of the default mask and of the one for the filter; white is 1.
+//! `cargo test --test bake filtered:: -- --nocapture` prints the figures: filtered error over that of the same values
+//! in random places, of the default mask and of the one for the filter; white is 1.
 
 use crate::analysis::integrands::{Integrand1, evaluation_smooth_1d, evaluation_step_1d};
 use crate::bake::filter::{Filter, Space};
 use crate::bake::inputs::Inputs;
 use crate::bake::recipe::{Kind, Recipe};
-use crate::bake::record::Digests;
 use crate::effort::Effort;
 
 const SIZE: usize = 64;
 
 fn baked(kind: Kind, filter: &str) -> Vec<u16> {
-    let tables = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tables");
-    let digests = Digests::read(&tables).expect("digests");
     let filter = Filter::parse(filter).expect("a filter");
-    let inputs = Inputs { filter, ..Inputs::read(&tables, &digests).expect("inputs") };
+    let inputs = Inputs { filter, ..crate::recorded().1 };
     Recipe { kind, size_log2: 6 }.bake(Effort::Normal, &inputs)
 }
 

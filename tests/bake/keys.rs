@@ -2,9 +2,7 @@
 
 use crate::analysis::net::assert_net;
 use crate::analysis::random::Random;
-use crate::bake::inputs::Inputs;
 use crate::bake::keys::{Features, LANES, PREFIXES, choose_ranks, linear_digits, points, vectors};
-use crate::bake::record::Digests;
 use bluedither::tables::LINEAR_ORDER;
 use bluedither::{Keyed, Keys, linear};
 use rand::rngs::Xoshiro256PlusPlus;
@@ -98,11 +96,6 @@ fn a_rank_is_a_change_of_the_key() {
     }
 }
 
-fn inputs() -> Inputs {
-    let tables = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables");
-    Inputs::read(&tables, &Digests::read(&tables).expect("digests")).expect("inputs")
-}
-
 /// What ranks are searched with.
 struct Problem {
     ranks_log2: u32,
@@ -115,7 +108,7 @@ const SIZE: i64 = 1 << SIZE_LOG2;
 
 impl Problem {
     fn recorded(order: usize, ranks_log2: u32) -> Self {
-        let inputs = inputs();
+        let inputs = crate::recorded().1;
         let order = &inputs.linear_order.orders[order];
         let digits = linear_digits(order, SIZE_LOG2, &mut Xoshiro256PlusPlus::seed_from_u64(5));
         let points = points(&LINEAR_ORDER.sequence, 1 << ranks_log2);
@@ -281,7 +274,7 @@ fn ranks_keep_nets() {
 /// centres of cells of 2⁻¹⁰, which is part of the definition.
 #[test]
 fn features_are_sums_of_cosines() {
-    let inputs = inputs();
+    let inputs = crate::recorded().1;
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(6);
     let digits: Vec<u32> = (0..64).map(|_| rng.next_u64() as u32).collect();
     let points = points(&LINEAR_ORDER.sequence, 64);

@@ -8,7 +8,8 @@ use crate::analysis::integrands::{
     Integrand2, evaluation_half_plane_2d, evaluation_smooth_2d, half_plane_2d, smooth_2d,
 };
 use crate::analysis::random::Random;
-use crate::bake::recipe::{Kind, Recipe};
+use crate::bake::recipe::Kind;
+use crate::baked;
 use crate::effort::Effort;
 use bluedither::{Keyed, Keys, Rank1, VectorMask, White, unit};
 
@@ -44,13 +45,6 @@ fn figures_of(
         }
         sums.map(|[found, white]| (found / white).sqrt())
     })
-}
-
-fn baked(kind: Kind, effort: Effort) -> Vec<u16> {
-    let tables = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tables");
-    let digests = crate::bake::record::Digests::read(&tables).expect("digests");
-    let inputs = crate::bake::inputs::Inputs::read(&tables, &digests).expect("inputs");
-    Recipe { kind, size_log2: 6 }.bake(effort, &inputs)
 }
 
 fn pairs(numbers: &[u16]) -> Vec<[u16; 2]> {

@@ -1,8 +1,6 @@
 //! The linear pixel order's constants: what is frozen is what the search finds, and what the theory says is what pixels
 //! do.
 
-use std::path::PathBuf;
-
 use bluedither::tables::LINEAR_ORDER;
 use bluedither::{White, hash, linear};
 
@@ -13,10 +11,7 @@ use crate::columns::anneal::{Anneal, random_map};
 use crate::columns::net::{self, Candidates};
 use crate::columns::power::{self, Power, SIDE};
 use crate::columns::response::{BLOCK, Responses};
-
-fn tables() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables")
-}
+use crate::tables;
 
 #[test]
 #[ignore = "writes tables/linear_order.txt after minutes of search"]

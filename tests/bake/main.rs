@@ -26,3 +26,23 @@ mod published_energy;
 mod rebake;
 mod sizes;
 mod void_and_cluster;
+
+use bake::inputs::Inputs;
+use bake::recipe::{Kind, Recipe};
+use bake::record::Digests;
+
+fn tables() -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tables")
+}
+
+/// What `tables/` says.
+fn recorded() -> (Digests, Inputs) {
+    let digests = Digests::read(&tables()).expect("digests");
+    let inputs = Inputs::read(&tables(), &digests).expect("inputs");
+    (digests, inputs)
+}
+
+/// A table of 64² pixels as build.rs would bake it.
+fn baked(kind: Kind, effort: effort::Effort) -> Vec<u16> {
+    Recipe { kind, size_log2: 6 }.bake(effort, &recorded().1)
+}

@@ -13,9 +13,8 @@ use crate::analysis::integrands::{
 };
 use crate::analysis::random::{Random, seeds};
 use crate::analysis::spectrum::low_frequency_power;
-use crate::bake::inputs::Inputs;
-use crate::bake::recipe::{Kind, Recipe};
-use crate::bake::record::Digests;
+use crate::bake::recipe::Kind;
+use crate::baked;
 use crate::effort::Effort;
 use bluedither::{shift, sobol, strata, unit};
 
@@ -229,14 +228,6 @@ fn two_random_permutations_fill_the_square_badly() {
     Random::new(seeds::WHITE + 1).shuffle(&mut ys);
     let pairs: Vec<[u16; 2]> = xs.iter().zip(&ys).map(|(&x, &y)| [x, y]).collect();
     assert!(judge_vector("two permutations", &pairs, 64).l2_star > 1e-3);
-}
-
-/// The 64² mask of a kind, as build.rs would bake it: rebake.rs shows that it does.
-fn baked(kind: Kind, effort: Effort) -> Vec<u16> {
-    let tables = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tables");
-    let digests = Digests::read(&tables).expect("digests");
-    let inputs = Inputs::read(&tables, &digests).expect("inputs");
-    Recipe { kind, size_log2: 6 }.bake(effort, &inputs)
 }
 
 #[test]

@@ -2,7 +2,6 @@
 //! held against `tables/`. `write_tables` writes them anew after a recipe was changed on purpose.
 
 use core::cmp::Reverse;
-use std::path::PathBuf;
 
 use bluedither::{lattice, linear, sobol};
 
@@ -11,26 +10,17 @@ use crate::bake::features::{Column, Pattern};
 use crate::bake::filter::Filter;
 use crate::bake::inputs::{ANNEAL, COSINE, Inputs, VOID_AND_CLUSTER};
 use crate::bake::linear_order::LinearOrder;
-use crate::bake::recipe::Recipe;
+use crate::bake::recipe::{self, Recipe};
 use crate::bake::record::Digests;
 use crate::effort::Effort;
+use crate::{recorded, tables};
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
-fn tables() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables")
-}
-
-fn recorded() -> (Digests, Inputs) {
-    let digests = Digests::read(&tables()).expect("digests");
-    let inputs = Inputs::read(&tables(), &digests).expect("inputs");
-    (digests, inputs)
-}
-
 fn check(effort: Effort) {
     let (digests, inputs) = recorded();
-    let differing: Vec<String> = crate::bake::recipe::all()
+    let differing: Vec<String> = recipe::all()
         .into_par_iter()
         .filter(|recipe| {
             let digest = crate::bake::digest::of_ranks(&recipe.bake(effort, &inputs));
@@ -66,7 +56,7 @@ fn embedded_tables_are_as_recorded() {
         #[cfg(any(feature = "threshold-filtered-64", feature = "threshold-filtered-over-time-64"))]
         if name.contains("filtered") && bluedither::tables::FILTER != Filter::default().name() {
             let filter = Filter::parse(bluedither::tables::FILTER).expect("as the build has read it");
-            let recipe = crate::bake::recipe::all().into_iter().find(|recipe| recipe.name() == name).expect("a recipe");
+            let recipe = recipe::all().into_iter().find(|recipe| recipe.name() == name).expect("a recipe");
             let again = recipe.bake(bluedither::tables::EFFORT, &Inputs { filter, ..inputs.clone() });
             assert!(ranks == again, "{name} for {}", filter.name());
             continue;
@@ -141,11 +131,7 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
         frames
     );
     table!("seed-permutation", "seed_permutation", SEED_PERMUTATION, codes);
-    assert_eq!(
-        known,
-        crate::bake::recipe::all().into_iter().map(Recipe::name).collect::<Vec<_>>(),
-        "a recipe without a line here"
-    );
+    assert_eq!(known, recipe::all().into_iter().map(Recipe::name).collect::<Vec<_>>(), "a recipe without a line here");
     all
 }
 
@@ -179,9 +165,8 @@ fn directions_are_as_recorded() {
 #[test]
 fn threads_make_no_difference() {
     let (_, inputs) = recorded();
-    let bake_all = || -> Vec<Vec<u16>> {
-        crate::bake::recipe::all().par_iter().map(|recipe| recipe.bake(Effort::Quick, &inputs)).collect()
-    };
+    let bake_all =
+        || -> Vec<Vec<u16>> { recipe::all().par_iter().map(|recipe| recipe.bake(Effort::Quick, &inputs)).collect() };
     let with =
         |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool").install(bake_all);
     assert_eq!(with(1), with(3));
@@ -191,6 +176,13 @@ fn threads_make_no_difference() {
 fn inputs_are_their_formulas() {
     let (_, inputs) = recorded();
     assert_eq!(inputs, derived());
+}
+
+#[test]
+fn kernels_over_time_are_their_formulas() {
+    let weight = |scale: f64, t: usize| libm::round(scale * recipe::OWN * libm::exp(-((t * t) as f64) / 4.5)) as i32;
+    assert_eq!(recipe::TIME_KERNEL, core::array::from_fn(|t| weight(1_048_576.0, t)));
+    assert_eq!(recipe::OFFSET_TIME_KERNEL, core::array::from_fn(|t| weight(128.0, t)));
 }
 
 fn derived() -> Inputs {
@@ -370,7 +362,7 @@ fn write_tables() {
         .collect();
     digests.lines.push(("input".into(), "joe_kuo".into(), crate::bake::digest::digest(words)));
     for effort in Effort::ALL {
-        let recipes = crate::bake::recipe::all();
+        let recipes = recipe::all();
         let baked: Vec<u64> =
             recipes.par_iter().map(|recipe| crate::bake::digest::of_ranks(&recipe.bake(effort, &inputs))).collect();
         for (recipe, digest) in recipes.iter().zip(baked) {

@@ -68,7 +68,7 @@ fn masks_hold_nothing_but_ranks() {
     assert_eq!(size_of::<ScalarMask<16>>(), 512);
     assert_eq!(size_of::<ScalarMask<256>>(), 131_072);
     assert_eq!(size_of::<VectorMask<2, 64>>(), 16_384);
-    assert_eq!(size_of::<TimeMask<32, 16>>(), 16 * size_of::<usize>());
+    assert_eq!(size_of::<TimeMask<'_, 32, 16>>(), 16 * size_of::<usize>());
     #[cfg(feature = "threshold-64")]
     assert_eq!(size_of_val(&bluedither::tables::THRESHOLD_64), 8_192);
     #[cfg(feature = "offset-2d-64")]

@@ -6,7 +6,8 @@ set -euo pipefail
 shopt -s inherit_errexit # what fails inside $(…) stops all of it
 cd "$(dirname "$0")"
 export BLUEDITHER_EFFORT=quick # the same tables on both sides
-export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-../../target}/firmware
+CARGO_TARGET_DIR=$(realpath -m "${CARGO_TARGET_DIR:-../../target}")/firmware
+export CARGO_TARGET_DIR
 ../packages.sh firmware
 
 # The standard library of these targets is built from source, by the compiler that its source is of.

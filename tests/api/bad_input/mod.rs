@@ -1,5 +1,6 @@
 //! Arguments as nobody would choose them: lengths that do not fit, rectangles outside, floats that are no numbers. What
-//! must come of it is written beside every call in the other files: a typed error or a defined value. `tests/fuzz` feeds the same function from a fuzzer that sees which branches are taken.
+//! must come of it is written beside every call in the other files: a typed error or a defined value. `tests/fuzz`
+//! feeds the same function from a fuzzer that sees which branches are taken.
 
 mod calls;
 mod input;

@@ -6,7 +6,7 @@ use bluedither::frames::seeds::{Rows, begins_block, permute, retarget, sort};
 use bluedither::{Dither, ScalarMask, candidate as best, hash};
 
 /// Two frames of a mask: baked ones are too large for the smallest machine.
-static MASK: TimeMask<4, 2> = TimeMask::new([&FRAMES[0], &FRAMES[1]]);
+static MASK: TimeMask<'_, 4, 2> = TimeMask::new([&FRAMES[0], &FRAMES[1]]);
 static FRAMES: [ScalarMask<4>; 2] = {
     let mut ranks = [[[0; 4]; 4]; 2];
     let mut k = 0;

@@ -34,7 +34,7 @@ pub fn directions<const D: usize>(directions: &Directions<D>) -> Bound {
     Bound { table, size: table.size_text(D).to_string(), words, extent: [32, D] }
 }
 
-pub fn over_time<const S: usize, const T: usize>(mask: &TimeMask<S, T>) -> Bound {
+pub fn over_time<const S: usize, const T: usize>(mask: &TimeMask<'_, S, T>) -> Bound {
     let table = shader::TIME_MASK;
     let size = format!("{}const BD_OVER_TIME_FRAMES = {T}u;\n", table.size_text(S));
     Bound { table, size, words: shader::time_words(mask).collect(), extent: [S, S * T] }

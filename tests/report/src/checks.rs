@@ -2,6 +2,7 @@
 
 use crate::analysis::integrands::{evaluation_half_plane_2d, evaluation_smooth_2d};
 use crate::analysis::random::Random;
+use crate::arguments::Arguments;
 use crate::bench::{Bench, Measured, Setting};
 use crate::charts::front;
 use crate::family::{ALL, FIXED, Family, Integrands, LINES, SMOOTH};
@@ -14,6 +15,26 @@ use crate::power::{Analyser, Squares};
 use crate::samplers::WHITE;
 use crate::shape::shapes;
 use crate::table::Table;
+use clap::Parser;
+
+/// The program itself, quickly and of one sampler beside white noise.
+#[test]
+fn a_quick_run_writes_what_was_asked_for() {
+    let out = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/report-check");
+    _ = std::fs::remove_dir_all(&out);
+    let path = out.to_str().expect("a path in UTF-8");
+    let words = ["report", "error", "speed", "frames", "--quick", "--only", "sampler", "--out", path];
+    crate::run(&Arguments::parse_from(words)).expect("a run");
+    let read = |name: &str| std::fs::read_to_string(out.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    for name in ["w-sigma-1-smooth.csv", "speed.csv"] {
+        let table = read(name);
+        let row = table.lines().find(|line| line.starts_with("sampler,")).expect("the sampler's row");
+        assert!(row.split(',').skip(1).all(|cell| cell.contains(|c: char| c.is_ascii_digit())), "{name}: {row}");
+        assert!(table.contains("\nwhite,") && !table.contains("\nkeys,"), "{name}: {table}");
+    }
+    assert!(read("time-thresholds.csv").contains("\nwhite noise,"));
+    assert!(read("report.html").matches("<svg").count() > 1 && read("report.md").contains("| sampler |"));
+}
 
 /// The fast integrands are the slow ones, in their order.
 #[test]

@@ -8,7 +8,7 @@ use bluedither::{ScalarMask, shader};
 #[unsafe(no_mangle)]
 pub extern "C" fn words(bytes: &[u8; 99], n: usize) -> u32 {
     static MASK: ScalarMask<2> = ScalarMask::new([[0, 1], [2, 3]]);
-    static OWN: TimeMask<2, 1> = TimeMask::new([&MASK]);
+    static OWN: TimeMask<'_, 2, 1> = TimeMask::new([&MASK]);
     let Some(bytes) = bytes.get(..n) else { return 0 };
     shader::byte_words(bytes)
         .chain(shader::direction_words(&SOBOL_16))

@@ -25,10 +25,10 @@ pub extern "C" fn frames(seeds: &mut [u32; 99], n: usize, estimates: &[f32; 99],
 #[unsafe(no_mangle)]
 pub extern "C" fn places(x: u32, y: u32, frame: u32) -> u32 {
     static MASK: ScalarMask<2> = ScalarMask::new([[0, 1], [2, 3]]);
-    static OWN: TimeMask<2, 2> = TimeMask::new([&MASK, &MASK]);
+    static OWN: TimeMask<'_, 2, 2> = TimeMask::new([&MASK, &MASK]);
     let mut sum = THRESHOLD_OVER_TIME_32.frame(frame).value_fx(x, y) ^ OWN.frames()[1].value_fx(x, y);
     static PAIR: VectorMask<2, 2> = VectorMask::new([[[0, 1], [1, 0]], [[2, 3], [3, 2]]]);
-    static PAIRS: VectorTimeMask<2, 2> = VectorTimeMask::new([&PAIR, &PAIR]);
+    static PAIRS: VectorTimeMask<'_, 2, 2> = VectorTimeMask::new([&PAIR, &PAIR]);
     sum ^= PAIRS.frame(frame).value_fx(x, y)[0] ^ PAIRS.frames()[1].value_fx(x, y)[1];
     sum ^= SEED_PERMUTATION.rounds();
     sum ^= SEED_PERMUTATION.place(frame)[1] ^ u32::from(SEED_PERMUTATION.codes()[3][4]);
