@@ -128,19 +128,18 @@ impl Sequence {
 }
 
 /// The digits that a pixel at (`x`, `y`) in its block adds to all its points: the upper 16 of the first number in the
-/// upper half, of the second in the lower half. Only the lower 5 bits of the coordinates count. Two columns at a time,
-/// some thirty operations.
+/// upper half, of the second in the lower half. Only the lower 5 bits of the coordinates count. Some thirty operations,
+/// four columns at a time where a processor can.
 #[inline]
 #[must_use]
-#[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
 pub const fn digits(columns: &Columns, x: u32, y: u32) -> u32 {
-    let both = (y as u64) << 32 | x as u64;
+    let place = y << 16 | x & 0xffff;
     let mut sum = 0;
-    let mut bit = 0;
-    while bit < BLOCK_LOG2 as usize {
-        let chosen = (both >> bit & 0x1_0000_0001) * 0xffff_ffff;
-        sum ^= ((columns[2 * bit + 1] as u64) << 32 | columns[2 * bit] as u64) & chosen;
-        bit += 1;
+    let mut k = 0;
+    while k < columns.len() {
+        let bit = 1 << (k / 2 + k % 2 * 16);
+        sum ^= if place & bit == bit { columns[k] } else { 0 };
+        k += 1;
     }
-    (sum >> 32) as u32 ^ sum as u32
+    sum
 }

@@ -1,9 +1,12 @@
-//! Pixels along a Z curve, and where on the Sobol sequence a pixel begins.
+//! Pixels along a Z curve, the sequence that they share, and where on it a pixel begins.
 //!
 //! Ahmed and Wonka 2020: all pixels share one (0, 2)-sequence and take it in turns along a Z curve, so that the points
 //! of every square of 2ᵏ×2ᵏ pixels are a net together and their errors cancel. Consecutive pixels take consecutive runs
 //! there, which needs the number of samples beforehand. Here a pixel begins at an index from which that holds for
 //! *every* number 2ᵐ of samples.
+//!
+//! The sequence is Sobol's with digits scrambled by a matrix (Matoušek 1998): of all that a few shifts and masks can
+//! make, the one that leaves over least of smooth integrands, in a pixel and in squares of them.
 
 /// The Z curve (Morton 1966): bit k of `x` is bit 2k of the code, bit k of `y` bit 2k+1.
 #[inline]
@@ -25,7 +28,7 @@ pub const fn morton_16(x: u32, y: u32) -> u32 {
     (n | n >> 31) as u32
 }
 
-/// Where place `place_rev`, bit-reversed, of a Z curve begins: its sample i is point `first_index ^ i` of [`sobol`].
+/// Where place `place_rev`, bit-reversed, of a Z curve begins: its sample i is [`point`] `first_index ^ i`.
 ///
 /// A bijection. For every m and k with m + 2k ≤ 16, the first 2ᵐ samples of 4ᵏ places in a row, from a multiple of 4ᵏ on,
 /// are a (0, m+2k, 2)-net together; beyond, too, but for cells narrower than 2⁻¹⁶.
@@ -35,8 +38,6 @@ pub const fn morton_16(x: u32, y: u32) -> u32 {
 /// has an inverse at both, the base-4 digits a of a place are taken as Σ aₖ/qᵏ⁺¹, k = 0 for the last: with the
 /// numerators tʲ of the samples that spans all polynomials below degree m + 2k over qᵏ. And since q¹⁶ = t³² + t¹⁶ + 1
 /// is 1 up to digit 16, Σ aₖ·q¹⁵⁻ᵏ does as well, which is a polynomial: four steps from the base q to the base t.
-///
-/// [`sobol`]: crate::sobol::point
 #[inline]
 #[must_use]
 pub const fn first_index(place_rev: u32) -> u32 {
@@ -51,3 +52,34 @@ pub const fn first_index(place_rev: u32) -> u32 {
     let b = n & 0xffff_0000;
     n ^ b >> 8 ^ b >> 16
 }
+
+/// Point `index` of the sequence that pixels share: 0.32 fixed point. Linear: the point of `a ^ b` is that of `a` XOR
+/// that of `b`, and every aligned run of 2ᵐ points is a (0, m, 2)-net.
+#[inline]
+#[must_use]
+#[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
+pub const fn point(index: u32) -> [u32; 2] {
+    let word = packed_rev(index.reverse_bits());
+    [(word >> 32) as u32, word as u32]
+}
+
+/// [`point`] of a bit-reversed index, both numbers in one word, the first in the upper half. No look-up, no product.
+#[inline]
+pub(crate) const fn packed_rev(index_rev: u32) -> u64 {
+    // Sobol's second number, as `sobol::dimension_1`, from the first: a reversed index is one.
+    let mut n = index_rev;
+    n ^= (n << 1) & 0xaaaa_aaaa;
+    n ^= (n << 2) & 0xcccc_cccc;
+    n ^= (n << 4) & 0xf0f0_f0f0;
+    n ^= (n << 8) & 0xff00_ff00;
+    n ^= n << 16;
+    // To digits are added some of the digits above them. No mask has a bit that another number's digit would reach.
+    let mut word = (index_rev as u64) << 32 | n as u64;
+    word ^= (word >> 1) & SCRAMBLE[0];
+    word ^= (word >> 2) & SCRAMBLE[1];
+    word ^= (word >> 4) & SCRAMBLE[2];
+    word ^ (word >> 8) & SCRAMBLE[3]
+}
+
+/// Which digits take one from 1, 2, 4 and 8 above; `tests/bake/zorder.rs` finds it again.
+const SCRAMBLE: [u64; 4] = [0x53bc_bb62_2989_2628, 0x2fd5_fb3a_17e9_6664, 0x03f3_b577_09bd_5c47, 0x0096_24ec_00f8_85d3];

@@ -222,8 +222,8 @@ static inline uint32_t bd_zorder_morton_16(uint32_t x, uint32_t y) {
     return (uint32_t)(n | n >> 31);
 }
 
-/* Where a place of the curve, bit-reversed, begins on the Sobol sequence: its sample i is point bd_zorder_first_index ^
- * i, and the samples of a square of pixels are a net together, for every power of two of them. */
+/* Where a place of the curve, bit-reversed, begins: its sample i is bd_zorder_point of bd_zorder_first_index ^ i, and the
+ * samples of a square of pixels are a net together, for every power of two of them. */
 static inline uint32_t bd_zorder_first_index(uint32_t place_rev) {
     uint32_t n = place_rev, b;
     b = n & UINT32_C(0xcccccccc);
@@ -234,6 +234,29 @@ static inline uint32_t bd_zorder_first_index(uint32_t place_rev) {
     n ^= b >> 4 ^ b >> 8;
     b = n & UINT32_C(0xffff0000);
     return n ^ b >> 8 ^ b >> 16;
+}
+
+/* bd_zorder_point of a bit-reversed index, both numbers in one word, the first in the upper half. */
+static inline uint64_t bd_zorder_packed_rev(uint32_t index_rev) {
+    uint32_t n = index_rev;
+    uint64_t word;
+    n ^= n << 1 & UINT32_C(0xaaaaaaaa);
+    n ^= n << 2 & UINT32_C(0xcccccccc);
+    n ^= n << 4 & UINT32_C(0xf0f0f0f0);
+    n ^= n << 8 & UINT32_C(0xff00ff00);
+    n ^= n << 16;
+    word = (uint64_t)index_rev << 32 | n;
+    word ^= word >> 1 & UINT64_C(0x53bcbb6229892628);
+    word ^= word >> 2 & UINT64_C(0x2fd5fb3a17e96664);
+    word ^= word >> 4 & UINT64_C(0x03f3b57709bd5c47);
+    return word ^ (word >> 8 & UINT64_C(0x009624ec00f885d3));
+}
+
+/* Point `index` of the sequence that pixels share, 0.32 fixed point: a linear one. */
+static inline void bd_zorder_point(uint32_t index, uint32_t out[2]) {
+    const uint64_t word = bd_zorder_packed_rev(bd_hash_reverse_bits(index));
+    out[0] = (uint32_t)(word >> 32);
+    out[1] = (uint32_t)word;
 }
 
 /* ---- strata: the unit interval or square in `count` cells of equal size, any count; 0 counts as 1 ---- */
@@ -500,7 +523,7 @@ typedef struct {
 
 typedef struct {
     const uint32_t (*sets)[10];
-    uint64_t block;
+    uint64_t seed;
     uint32_t flips_rev, own, x, y;
 } bd_sampler_pixel_t;
 
@@ -534,22 +557,23 @@ static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t
     bd_sampler_pixel_t pixel;
     pixel.sets = sampler.sets;
     pixel.flips_rev = sampler.flips_rev;
-    /* The blocks of every seed and frame begin elsewhere. */
-    pixel.x = x + (uint32_t)seed;
-    pixel.y = y + (uint32_t)(seed >> 32);
-    pixel.block = bd_hash_mix_64(seed ^ (uint64_t)(pixel.y >> 5) << 32 ^ pixel.x >> 5);
-    pixel.own = bd_hash_mix((uint32_t)pixel.block ^ ((pixel.y & 31) << 5 | (pixel.x & 31)));
+    pixel.seed = seed;
+    pixel.own = bd_hash_mix((uint32_t)seed ^ x ^ (y << 16 | y >> 16));
+    pixel.x = x;
+    pixel.y = y;
     return pixel;
 }
 
 static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
                                     uint32_t out[2]) {
+    /* Every domain lies elsewhere on one endless plane of blocks. */
+    const uint64_t there = pixel->seed ^ bd_hash_mix_64(bd_domain_padded(domain, pad));
+    const uint32_t x = pixel->x + (uint32_t)there, y = pixel->y + (uint32_t)(there >> 32);
     /* All pixels of a block have one of the sets, transposed or not, numbers swapped or not, and a digital shift. */
-    const uint64_t shift = bd_domain_word(pixel->block, domain, pad);
+    const uint64_t shift = bd_hash_mix_64(pixel->seed ^ (uint64_t)(y >> 5) << 32 ^ x >> 5);
     const uint32_t choice = (uint32_t)(shift >> 32);
     const uint32_t transposed = choice >> 3 & 1, swapped = choice >> 4 & 1;
-    const uint32_t digits = bd_linear_digits(pixel->sets[choice & 7], transposed ? pixel->y : pixel->x,
-                                             transposed ? pixel->x : pixel->y);
+    const uint32_t digits = bd_linear_digits(pixel->sets[choice & 7], transposed ? y : x, transposed ? x : y);
     /* Each pixel has an order of samples of its own. */
     const uint64_t random = (choice ^ pixel->own) * UINT64_C(0x9e3779b97f4a7c15);
     uint32_t point[2];
@@ -596,14 +620,13 @@ static inline bd_z_order_pixel_t bd_z_order_pixel(bd_z_order_t sampler, uint32_t
 
 static inline void bd_z_order_point(const bd_z_order_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
                                     uint32_t out[2]) {
-    const uint64_t seeds = bd_domain_word(pixel->seed, domain, pad);
-    const uint32_t place_rev = bd_hash_laine_karras(pixel->place_rev, (uint32_t)(seeds >> 16));
-    const uint32_t order = bd_hash_other(place_rev);
-    const uint32_t first = bd_zorder_first_index(place_rev);
-    const uint32_t index = bd_hash_reverse_bits(bd_hash_shuffle_rev(index_rev, order)) ^ first;
-    const uint32_t y_rev = bd_sobol_dimension_1_rev(index);
-    out[0] = bd_hash_reverse_bits(bd_hash_laine_karras(index, (uint32_t)seeds));
-    out[1] = bd_hash_reverse_bits(bd_hash_laine_karras(y_rev, (uint32_t)(seeds >> 32)));
+    const uint64_t shift = bd_domain_word(pixel->seed, domain, pad);
+    const uint32_t place_rev = bd_hash_laine_karras(pixel->place_rev, (uint32_t)(shift >> 16));
+    const uint32_t own_rev = bd_hash_shuffle_rev(index_rev, bd_hash_other(place_rev));
+    const uint32_t first_rev = bd_hash_reverse_bits(bd_zorder_first_index(place_rev));
+    const uint64_t point = bd_zorder_packed_rev(own_rev ^ first_rev) ^ shift;
+    out[0] = (uint32_t)(point >> 32);
+    out[1] = (uint32_t)point;
 }
 
 BD_CALL_SHAPE(bd_z_order)

@@ -1,6 +1,6 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{Pair, call_shape, domain_word, halves, row_shape};
+use super::{Pair, call_shape, halves, padded, row_shape};
 use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Columns, Order, SETS};
 use crate::tables::LINEAR_ORDER;
@@ -10,11 +10,10 @@ use crate::tables::LINEAR_ORDER;
 ///
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
-/// them do together is white, except that the first two samples of different domains may be related over a block of
-/// 32×32 pixels when the number of samples is 1, not known, or no power of two up to 256. A pixel costs three hashes; a
-/// domain two products (four if it is no constant) and some forty operations on five words; a sample the shuffle of its
-/// number (a bit reversal, which domains share, and three products), two look-ups, and one for each bit set above the
-/// eighth.
+/// them do together is white, except that the first two samples of different domains are a little related over blocks of
+/// 32×32 pixels when the number of samples is 1, not known, or no power of two up to 256. A pixel costs a hash; a domain
+/// another one (two if it is no constant) and some forty operations on five words; a sample the shuffle of its number (a
+/// bit reversal, which domains share, and three products), two look-ups, and one for each bit set above the eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
@@ -51,17 +50,14 @@ impl Sampler {
     #[inline]
     #[must_use]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> LinearPixel {
-        let (seed, x, y) = self.place(x, y, frame);
-        let block = block(seed, x, y);
-        LinearPixel { order: self.order, flips_rev: self.flips_rev, block, own: own(block, x, y), x, y }
+        let seed = self.seed(frame);
+        LinearPixel { order: self.order, flips_rev: self.flips_rev, seed, own: own(seed, x, y), x, y }
     }
 
-    /// The seed of a frame, and where a pixel lies: the blocks of every seed and frame begin elsewhere.
+    /// The seed of a frame.
     #[inline]
-    #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
-    const fn place(&self, x: u32, y: u32, frame: u32) -> (u64, u32, u32) {
-        let seed = hash::mix_64((self.seed as u64) << 32 | frame as u64);
-        (seed, x.wrapping_add(seed as u32), y.wrapping_add((seed >> 32) as u32))
+    const fn seed(&self, frame: u32) -> u64 {
+        hash::mix_64((self.seed as u64) << 32 | frame as u64)
     }
 
     /// What a sample of a row of pixels has in a pair, pixel by pixel: inside a block the words are linear in x.
@@ -69,28 +65,29 @@ impl Sampler {
     fn words_of_row<T>(
         &self,
         pad: u32,
-        [x, y, frame]: [u32; 3],
+        [mut x, y, frame]: [u32; 3],
         domain: u32,
         index: u32,
         mut targets: impl Iterator<Item = T>,
         put: impl Fn(T, u64),
     ) {
         let index_rev = index.reverse_bits();
-        let (seed, mut x, y) = self.place(x, y, frame);
+        let seed = self.seed(frame);
+        let (mut place_x, place_y) = place(seed, domain, pad, x, y);
         let mut next = targets.next();
         while next.is_some() {
-            let block = block(seed, x, y);
-            let shared = Shared::new(self.order, block, domain, pad);
+            let shared = Shared::new(self.order, seed, place_x, place_y);
             let columns = shared.columns_of_x();
-            let mut key = shared.key(x, y);
+            let mut key = shared.key(place_x, place_y);
             while let Some(target) = next {
-                put(target, shared.pair(key, own(block, x, y), self.flips_rev).word(index_rev));
+                put(target, shared.pair(key, own(seed, x, y), self.flips_rev).word(index_rev));
                 x = x.wrapping_add(1);
+                place_x = place_x.wrapping_add(1);
                 next = targets.next();
-                if x & INSIDE == 0 {
+                if place_x & INSIDE == 0 {
                     break;
                 }
-                key ^= columns[(x.trailing_zeros() & 7) as usize];
+                key ^= columns[(place_x.trailing_zeros() & 7) as usize];
             }
         }
     }
@@ -127,17 +124,21 @@ impl Sampler {
 /// Coordinates inside a block.
 const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
 
-/// The hash of a block.
+/// Where a pixel lies for a pair of dimensions: those of every seed, frame and domain have a place of their own on one
+/// endless plane of blocks. So their blocks begin elsewhere, and two that have the same columns are moved against each
+/// other.
 #[inline]
-const fn block(seed: u64, x: u32, y: u32) -> u64 {
-    hash::mix_64(seed ^ ((y >> BLOCK_LOG2) as u64) << 32 ^ (x >> BLOCK_LOG2) as u64)
+#[expect(clippy::cast_possible_truncation, reason = "halves of a hash")]
+const fn place(seed: u64, domain: u32, pad: u32, x: u32, y: u32) -> (u32, u32) {
+    let far = seed ^ hash::mix_64(padded(domain, pad) as u64);
+    (x.wrapping_add(far as u32), y.wrapping_add((far >> 32) as u32))
 }
 
 /// The hash of a pixel.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "half of a hash")]
-const fn own(block: u64, x: u32, y: u32) -> u32 {
-    hash::mix(block as u32 ^ ((y & INSIDE) << BLOCK_LOG2 | x & INSIDE))
+const fn own(seed: u64, x: u32, y: u32) -> u32 {
+    hash::mix(seed as u32 ^ x ^ y.rotate_left(16))
 }
 
 /// One pixel of [`Sampler`].
@@ -145,11 +146,10 @@ const fn own(block: u64, x: u32, y: u32) -> u32 {
 pub struct LinearPixel {
     order: &'static Order,
     flips_rev: u32,
-    /// A hash of the block.
-    block: u64,
+    /// Of the frame.
+    seed: u64,
     /// A hash of the pixel.
     own: u32,
-    /// Inside the block by their lower bits.
     x: u32,
     y: u32,
 }
@@ -157,12 +157,13 @@ pub struct LinearPixel {
 impl LinearPixel {
     #[inline]
     const fn pair(self, domain: u32, pad: u32) -> LinearPair {
-        let shared = Shared::new(self.order, self.block, domain, pad);
-        shared.pair(shared.key(self.x, self.y), self.own, self.flips_rev)
+        let (x, y) = place(self.seed, domain, pad, self.x, self.y);
+        let shared = Shared::new(self.order, self.seed, x, y);
+        shared.pair(shared.key(x, y), self.own, self.flips_rev)
     }
 }
 
-/// What all pixels of a block have in the pair of a domain: one of the sets, transposed or not, its numbers swapped or
+/// What all pixels of a block have in common: one of the sets, transposed or not, its numbers swapped or
 /// not, and a digital shift.
 #[derive(Clone, Copy)]
 struct Shared {
@@ -174,8 +175,8 @@ struct Shared {
 
 impl Shared {
     #[inline]
-    const fn new(order: &'static Order, block: u64, domain: u32, pad: u32) -> Self {
-        let shift = domain_word(block, domain, pad);
+    const fn new(order: &'static Order, seed: u64, x: u32, y: u32) -> Self {
+        let shift = hash::mix_64(seed ^ ((y >> BLOCK_LOG2) as u64) << 32 ^ (x >> BLOCK_LOG2) as u64);
         let choice = (shift >> 32) as u32;
         Self { columns: &order[choice as usize % SETS], shift, choice }
     }
@@ -185,7 +186,7 @@ impl Shared {
         self.choice >> 3 & 1 == 1
     }
 
-    /// What a pixel adds to its points.
+    /// What a pixel adds to its points. Inside the block it lies by the lower bits.
     #[inline]
     const fn key(self, x: u32, y: u32) -> u64 {
         let (x, y) = if self.transposed() { (y, x) } else { (x, y) };

@@ -129,7 +129,7 @@ modules! {
     /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`LINEAR_ORDER`].
     SAMPLER "sampler/linear" [DOMAIN LINEAR UNIT]
     /// [`ZOrder`](crate::ZOrder), the sampler: `bd_z_order_…`. (The curve is [`ZORDER`].)
-    Z_ORDER "sampler/zorder" [DOMAIN ZORDER SOBOL UNIT]
+    Z_ORDER "sampler/zorder" [DOMAIN ZORDER UNIT]
     /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
     KEYED "sampler/keyed" [DOMAIN KEYS LINEAR TORUS UNIT]
     /// [`Rank1`](crate::Rank1): `bd_rank1_…`; reads [`LATTICE_MASK`].

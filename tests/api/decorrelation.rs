@@ -41,18 +41,24 @@ fn domains_frames_and_components_are_decorrelated() {
     }
 }
 
-/// What the docs of `Sampler` say of a block of 32×32 pixels: where the first two samples of a progressive run are related,
-/// the third and later ones, and all of a known number, are not.
+/// What the docs of `Sampler` say of a block of 32×32 pixels: where the first two samples of a progressive run are a little
+/// related, the third and later ones, and all of a known number, are not.
 #[test]
 fn blocks_of_the_linear_order_are_unrelated() {
-    let cases =
-        [(Sampler::with_spp(9, 4), [0, 1, 3]), (Sampler::with_spp(9, 64), [0, 1, 40]), (Sampler::new(9), [2, 3, 9])];
-    for (sampler, indices) in cases {
+    // Of independent numbers 1, known to a tenth. Domains that happen to have one set are moved against each other: if their
+    // blocks began in one place, the last two would be 52 and 27.
+    let cases = [
+        (Sampler::with_spp(9, 4), [0, 1, 3], 1.5),
+        (Sampler::with_spp(9, 64), [0, 1, 40], 1.5),
+        (Sampler::new(9), [2, 3, 9], 1.5),
+        (Sampler::new(9), [0, 0, 1], 12.0),
+        (Sampler::with_spp(9, 1), [0, 0, 0], 12.0),
+    ];
+    for (sampler, indices, bound) in cases {
         for index in indices {
             let at = |domain| image(32, |x, y| sampler.pixel(x, y, 0).draw_fx::<2>(domain, index)[0]);
             let square: f64 = (0..200).map(|k| correlation(&at(2 * k), &at(2 * k + 1)).powi(2)).sum::<f64>() / 200.0;
-            // Of independent numbers 1/1023, known to a tenth.
-            assert!(square * 1023.0 < 1.5, "index {index}: {}", square * 1023.0);
+            assert!(square * 1023.0 < bound, "index {index}: {}", square * 1023.0);
         }
     }
 }

@@ -23,6 +23,35 @@ fn first_indices_are_a_bijection() {
     }
 }
 
+/// Every number digit by digit: Sobol's, to which the digits of the scramble's four steps are added one after the other.
+fn naive_point(index: u32) -> [u32; 2] {
+    let [x, y] = sobol::point(index);
+    let mut numbers = [x, y];
+    for (lag, mask) in [1, 2, 4, 8].into_iter().zip(SCRAMBLE) {
+        for (number, mask) in numbers.iter_mut().zip([mask >> 32, mask & 0xffff_ffff]) {
+            let digit = |value: u32, k: u32| value << k >> 31;
+            let sum =
+                |k| digit(*number, k) ^ if k >= lag { digit(*number, k - lag) & digit(mask as u32, k) } else { 0 };
+            *number = (0..32).fold(0, |value, k| value << 1 | sum(k));
+        }
+    }
+    numbers
+}
+
+/// As in `zorder::point`.
+const SCRAMBLE: [u64; 4] = [0x53bc_bb62_2989_2628, 0x2fd5_fb3a_17e9_6664, 0x03f3_b577_09bd_5c47, 0x0096_24ec_00f8_85d3];
+
+#[test]
+fn every_aligned_run_of_the_sequence_is_a_net() {
+    for m in 0..=12 {
+        for run in [0, 1, 2, 0x000f_ffff, 0x0005_a5a5] {
+            let first = (run as u32) << m;
+            let points: Vec<_> = (first..=first | ((1 << m) - 1)).map(zorder::point).collect();
+            assert_net(&points, &format!("2^{m} points from {first}"));
+        }
+    }
+}
+
 #[test]
 fn any_number_of_samples_of_any_run_of_places_is_a_net() {
     for k in 0..=4u32 {
@@ -31,7 +60,7 @@ fn any_number_of_samples_of_any_run_of_places_is_a_net() {
                 let first = run << (2 * k);
                 let points: Vec<_> = (first..=first | ((1 << (2 * k)) - 1))
                     .flat_map(|place| {
-                        (0..1 << m).map(move |i| sobol::point(zorder::first_index(place.reverse_bits()) ^ i))
+                        (0..1 << m).map(move |i| zorder::point(zorder::first_index(place.reverse_bits()) ^ i))
                     })
                     .collect();
                 assert_net(&points, &format!("2^{m} samples, 4^{k} places from {first}"));
@@ -108,5 +137,12 @@ proptest! {
     #[test]
     fn first_index_is_naive(place_rev: u32) {
         prop_assert_eq!(zorder::first_index(place_rev), naive_first_index(place_rev));
+    }
+
+    #[test]
+    fn a_point_is_naive_and_linear(a: u32, b: u32) {
+        prop_assert_eq!(zorder::point(a), naive_point(a));
+        let [sum, [ax, ay], [bx, by]] = [a ^ b, a, b].map(zorder::point);
+        prop_assert_eq!(sum, [ax ^ bx, ay ^ by]);
     }
 }

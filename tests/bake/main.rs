@@ -26,6 +26,7 @@ mod published_energy;
 mod rebake;
 mod sizes;
 mod void_and_cluster;
+mod zorder;
 
 use bake::inputs::Inputs;
 use bake::recipe::{Kind, Recipe};

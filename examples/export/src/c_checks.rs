@@ -39,6 +39,7 @@ const FUNCTIONS: &[(&str, Twin)] = &[
     ("directions_owen", |a| one(library::SOBOL_16.owen(a[0], a[1], a[2]))),
     ("zorder_morton_16", |a| one(zorder::morton_16(a[0], a[1]))),
     ("zorder_first_index", |a| one(zorder::first_index(a[0]))),
+    ("zorder_point", |a| two(zorder::point(a[0]))),
     ("strata_place_1d", |a| one(strata::place_1d(a[0], a[1], a[2]))),
     ("strata_place_2d", |a| two(strata::place_2d(a[0], a[1], [a[2], a[3]]))),
     ("shift_global", |a| one(shift::global([a[0]], [a[1]])[0])),

@@ -25,8 +25,9 @@ fn bd_sampler_with_spp(seed: u32, spp: u32) -> bd_Sampler {
 struct bd_SamplerPixel {
     order: u32,
     flips_rev: u32,
-    // A hash of the block, and one of the pixel.
-    block: vec2<u32>,
+    // Of the frame.
+    seed: vec2<u32>,
+    // A hash of the pixel.
     own: u32,
     place: vec2<u32>,
 }
@@ -34,19 +35,20 @@ struct bd_SamplerPixel {
 // The samples of one pixel in one frame.
 fn bd_sampler_pixel(seeded: bd_Sampler, x: u32, y: u32, frame: u32) -> bd_SamplerPixel {
     let seed = bd_hash_mix_64(vec2<u32>(frame, seeded.seed));
-    let place = vec2<u32>(x, y) + seed;
-    let block = bd_hash_mix_64(seed ^ (place >> vec2<u32>(5u)));
-    let own = bd_hash_mix(block.x ^ (((place.y & 31u) << 5u) | (place.x & 31u)));
-    return bd_SamplerPixel(seeded.order, seeded.flips_rev, block, own, place);
+    let own = bd_hash_mix(seed.x ^ x ^ ((y << 16u) | (y >> 16u)));
+    return bd_SamplerPixel(seeded.order, seeded.flips_rev, seed, own, vec2<u32>(x, y));
 }
 
 // The pair of a domain at an index, 0.32 fixed point.
 fn bd_sampler_pair(pixel: bd_SamplerPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
+    // Every domain lies elsewhere on one endless plane of blocks.
+    let far = pixel.seed ^ bd_hash_mix_64(vec2<u32>(bd_domain_padded(domain, pad), 0u));
+    let there = pixel.place + far;
     // What all pixels of a block have: a set of columns, transposed or not, numbers swapped or not, a digital shift.
-    let shift = bd_domain_word(pixel.block, domain, pad);
+    let shift = bd_hash_mix_64(pixel.seed ^ (there >> vec2<u32>(5u)));
     let choice = shift.y;
     let columns = pixel.order + (choice & 7u) * BD_LINEAR_SET;
-    let place = select(pixel.place, pixel.place.yx, ((choice >> 3u) & 1u) == 1u);
+    let place = select(there, there.yx, ((choice >> 3u) & 1u) == 1u);
     let digits = bd_linear_digits(columns, place.x, place.y);
     let key = shift ^ vec2<u32>(digits << 16u, digits & 0xffff0000u);
     // The order of its samples.

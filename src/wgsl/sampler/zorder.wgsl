@@ -31,12 +31,10 @@ fn bd_z_order_pixel(seeded: bd_ZOrder, x: u32, y: u32, frame: u32) -> bd_ZOrderP
 
 // The pair of a domain at an index, 0.32 fixed point.
 fn bd_z_order_pair(pixel: bd_ZOrderPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
-    let seeds = bd_domain_word(pixel.seed, domain, pad);
-    let place_rev = bd_hash_laine_karras(pixel.place_rev, (seeds.x >> 16u) | (seeds.y << 16u));
+    let shift = bd_domain_word(pixel.seed, domain, pad);
+    let place_rev = bd_hash_laine_karras(pixel.place_rev, (shift.x >> 16u) | (shift.y << 16u));
     let place = bd_hash_shuffle(index, bd_hash_other(place_rev)) ^ bd_zorder_first_index(place_rev);
-    let x = bd_hash_laine_karras(place, seeds.x);
-    let y = bd_hash_laine_karras(bd_sobol_dimension_1_rev(place), seeds.y);
-    return reverseBits(vec2<u32>(x, y));
+    return bd_zorder_point(place) ^ shift.yx;
 }
 
 // Sample `index` for purpose `domain`: 1 to 4 numbers, 0.32 fixed point or floats in [0, 1).

@@ -27,6 +27,7 @@ pub(crate) fn sequences() -> u32 {
             .chain([SOBOL_16.dimension(v, k), SOBOL_16.owen(v, k, k), zorder::morton_16(k, v), zorder::first_index(v)])
             .chain([lattice::extensible(k, v), lattice::fixed(k, 99, v), lattice::FIBONACCI[k as usize % 46]])
             .chain(lattice::r::<4>(v))
+            .chain(zorder::point(v))
             .chain([long as u32, (long >> 32) as u32, linear::digits(&[v; 10], k, v), sobol::directions(k, &[v, 1])[9]])
     }))
 }

@@ -50,6 +50,7 @@ pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
     sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
     sum ^= lattice::fixed(a, b, c) ^ lattice::extensible(a, b) ^ lattice::r::<4>(a)[3];
     sum ^= lattice::r_64::<4>(u64::from(a) << 20)[3] as u32;
+    sum ^= zorder::point(a)[1];
     sum ^ zorder::first_index(a) ^ zorder::morton(a, b) as u32 ^ zorder::morton_16(a, b)
 }
 
