@@ -6,6 +6,7 @@ mod floats;
 mod halftones;
 mod parts;
 mod samplers;
+mod target;
 mod time;
 
 use bluedither::tables::THRESHOLD_64;
@@ -37,6 +38,7 @@ pub const INTEGERS: &[Family] = &[
     ("dither, colour and alpha", halftones::colors),
     ("dither, triangular", halftones::triangular),
     ("dither, gamma", halftones::gamma),
+    ("dither, draw target", target::target),
 ];
 
 /// What returns floats or takes them.
