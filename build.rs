@@ -82,9 +82,12 @@ fn bake_all(recipes: &[Recipe], effort: Effort, inputs: &Inputs, digests: &Diges
     let start = Instant::now();
     let mut texts = vec![String::new(); recipes.len()];
     let write = |recipe, ranks: &[u16], start| finish(recipe, effort, inputs, digests, ranks, start);
-    rayon::scope(|scope| {
-        for (text, &recipe) in texts.iter_mut().zip(recipes).filter(|(_, recipe)| recipe.base().is_none()) {
-            scope.spawn(move |_| {
+    let mut jobs: Vec<_> = texts.iter_mut().zip(recipes).filter(|(_, recipe)| recipe.base().is_none()).collect();
+    // Large ones first, lest one be left for a single thread at the end.
+    jobs.sort_by_key(|(_, recipe)| core::cmp::Reverse(recipe.bytes()));
+    rayon::scope_fifo(|scope| {
+        for (text, &recipe) in jobs {
+            scope.spawn_fifo(move |_| {
                 let start = Instant::now();
                 let ranks = recipe.bake(effort, inputs);
                 *text = write(recipe, &ranks, start);

@@ -244,7 +244,7 @@ impl Recipe {
         }
         let proposals = match effort {
             Effort::Quick => 30,
-            Effort::Normal => 600,
+            Effort::Normal => 1_200,
             Effort::Thorough => 4_000,
         };
         let kernel = &inputs.anneal_kernel;
