@@ -246,10 +246,10 @@ static inline uint64_t bd_zorder_packed_rev(uint32_t index_rev) {
     n ^= n << 8 & UINT32_C(0xff00ff00);
     n ^= n << 16;
     word = (uint64_t)index_rev << 32 | n;
-    word ^= word >> 1 & UINT64_C(0x53bcbb6229892628);
-    word ^= word >> 2 & UINT64_C(0x2fd5fb3a17e96664);
-    word ^= word >> 4 & UINT64_C(0x03f3b57709bd5c47);
-    return word ^ (word >> 8 & UINT64_C(0x009624ec00f885d3));
+    word ^= word >> 1 & UINT64_C(0x53be4322298af328);
+    word ^= word >> 2 & UINT64_C(0x2ff4b33a17efc464);
+    word ^= word >> 4 & UINT64_C(0x03ffe2f7099fe007);
+    return word ^ (word >> 8 & UINT64_C(0x00a5ffec00edffd3));
 }
 
 /* Point `index` of the sequence that pixels share, 0.32 fixed point: a linear one. */
@@ -558,7 +558,7 @@ static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t
     pixel.sets = sampler.sets;
     pixel.flips_rev = sampler.flips_rev;
     pixel.seed = seed;
-    pixel.own = bd_hash_mix((uint32_t)seed ^ x ^ (y << 16 | y >> 16));
+    pixel.own = bd_hash_mix(((uint32_t)seed + x) ^ (y << 16 | y >> 16));
     pixel.x = x;
     pixel.y = y;
     return pixel;
@@ -567,8 +567,8 @@ static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t
 static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
                                     uint32_t out[2]) {
     /* Every domain lies elsewhere on one endless plane of blocks. */
-    const uint64_t there = pixel->seed ^ bd_hash_mix_64(bd_domain_padded(domain, pad));
-    const uint32_t x = pixel->x + (uint32_t)there, y = pixel->y + (uint32_t)(there >> 32);
+    const uint64_t there = bd_domain_word(pixel->seed, domain, pad);
+    const uint32_t x = pixel->x + (uint32_t)(there >> 32), low = (uint32_t)there, y = pixel->y + (low << 5 | low >> 27);
     /* All pixels of a block have one of the sets, transposed or not, numbers swapped or not, and a digital shift. */
     const uint64_t shift = bd_hash_mix_64(pixel->seed ^ (uint64_t)(y >> 5) << 32 ^ x >> 5);
     const uint32_t choice = (uint32_t)(shift >> 32);
@@ -613,7 +613,7 @@ static inline bd_z_order_t bd_z_order_with_spp(uint32_t seed, uint32_t spp) {
 static inline bd_z_order_pixel_t bd_z_order_pixel(bd_z_order_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
     const uint32_t block = x >> 16 | (y & UINT32_C(0xffff0000));
     bd_z_order_pixel_t pixel;
-    pixel.seed = bd_hash_mix_64(bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame) ^ block);
+    pixel.seed = bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame) ^ block * UINT64_C(0x9e3779b97f4a7c15);
     pixel.place_rev = bd_hash_laine_karras_4(bd_hash_reverse_bits(bd_zorder_morton_16(x, y)), (uint32_t)pixel.seed);
     return pixel;
 }

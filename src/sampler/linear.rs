@@ -1,6 +1,6 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{Pair, call_shape, halves, padded, row_shape};
+use super::{Pair, call_shape, domain_word, halves, row_shape};
 use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Columns, Order, SETS};
 use crate::tables::LINEAR_ORDER;
@@ -10,10 +10,11 @@ use crate::tables::LINEAR_ORDER;
 ///
 /// All pixels share one digital net; a pixel's place decides which part of it is the pixel's own. No mask and no tile;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
-/// them do together is white, except that the first two samples of different domains are a little related over blocks of
-/// 32×32 pixels when the number of samples is 1, not known, or no power of two up to 256. A pixel costs a hash; a domain
-/// another one (two if it is no constant) and some forty operations on five words; a sample the shuffle of its number (a
-/// bit reversal, which domains share, and three products), two look-ups, and one for each bit set above the eighth.
+/// them do together is white, except that the first two samples of different domains are related over blocks of 32×32
+/// pixels when the number of samples is 1, not known, or no power of two up to 256: under wide filters that is seen. A
+/// pixel costs two hashes; a domain another one (two if it is no constant) and some forty operations; a sample the
+/// shuffle of its number (a bit reversal, which domains share, and three products), two look-ups, and one for each bit
+/// set above the eighth.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
@@ -126,19 +127,19 @@ const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
 
 /// Where a pixel lies for a pair of dimensions: those of every seed, frame and domain have a place of their own on one
 /// endless plane of blocks. So their blocks begin elsewhere, and two that have the same columns are moved against each
-/// other.
+/// other: by the better bits of a product.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "halves of a hash")]
 const fn place(seed: u64, domain: u32, pad: u32, x: u32, y: u32) -> (u32, u32) {
-    let far = seed ^ hash::mix_64(padded(domain, pad) as u64);
-    (x.wrapping_add(far as u32), y.wrapping_add((far >> 32) as u32))
+    let far = domain_word(seed, domain, pad);
+    (x.wrapping_add((far >> 32) as u32), y.wrapping_add((far as u32).rotate_left(5)))
 }
 
 /// The hash of a pixel.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "half of a hash")]
 const fn own(seed: u64, x: u32, y: u32) -> u32 {
-    hash::mix(seed as u32 ^ x ^ y.rotate_left(16))
+    hash::mix((seed as u32).wrapping_add(x) ^ y.rotate_left(16))
 }
 
 /// One pixel of [`Sampler`].

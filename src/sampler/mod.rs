@@ -175,15 +175,21 @@ fn each_rev<T>(first: u32, targets: &mut [T], put: impl Fn(u32, &mut T)) {
         }
         reversed
     };
-    let mut index = first;
-    let mut upper = (index & !15).reverse_bits();
-    for target in targets {
-        put(upper | LOWER[index as usize & 15], target);
-        index = index.wrapping_add(1);
-        if index & 15 == 0 {
-            upper = index.reverse_bits();
-        }
+    let part = |index: u32, targets: &mut [T]| {
+        let upper = (index & !15).reverse_bits();
+        targets.iter_mut().zip(&LOWER[(index & 15) as usize..]).for_each(|(target, lower)| put(upper | lower, target));
+    };
+    let (start, rest) = targets.split_at_mut(targets.len().min((first.wrapping_neg() & 15) as usize));
+    part(first, start);
+    // Whole runs of sixteen, of which a compiler makes vectors.
+    let mut index = first.wrapping_add(15) & !15;
+    let mut runs = rest.chunks_exact_mut(16);
+    for run in &mut runs {
+        let upper = index.reverse_bits();
+        run.iter_mut().zip(&LOWER).for_each(|(target, lower)| put(upper | lower, target));
+        index = index.wrapping_add(16);
     }
+    part(index, runs.into_remainder());
 }
 
 /// The upper half of a word and the lower one.

@@ -3,7 +3,7 @@
 use super::{Pair, call_shape, domain_seed, row_by_pixels, row_shape};
 use crate::{hash, sobol};
 
-/// Owen-scrambled Sobol points under a seed of every pixel's own: the best per-pixel error, spread as white noise.
+/// Owen-scrambled Sobol points under a seed of every pixel's own: little error in each pixel, spread as white noise.
 #[derive(Clone, Copy, Debug)]
 pub struct White {
     seed: u32,

@@ -9,8 +9,9 @@ use crate::{hash, zorder};
 /// Every 2ᵏ×2ᵏ block of pixels that is aligned on the curve holds a net together, for its first 1, 2, 4, 8, … samples: the
 /// blueness is the same for all powers of two, known beforehand or not, and in all dimension pairs, and every pixel has
 /// points as good as those of [`White`](crate::White). With other numbers it is a little less. No table and no tile:
-/// pixels are unrelated only across the borders of 65536² blocks, which are seeded anew. A pixel costs a Morton code
-/// and a scramble, a domain a scramble and forty operations, a sample the shuffle of its number and thirty operations.
+/// pixels are unrelated only across the borders of 65536² blocks, which are seeded anew. A pixel costs a hash, a Morton code
+/// and a scramble in base 4, a domain a product, a scramble and forty operations, a sample the shuffle of its number and
+/// thirty operations.
 #[derive(Clone, Copy, Debug)]
 pub struct ZOrder {
     seed: u32,
@@ -38,7 +39,8 @@ impl ZOrder {
     #[expect(clippy::cast_possible_truncation, reason = "half of a hash")]
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> ZOrderPixel {
         let block = (x >> 16) | (y & 0xffff_0000);
-        let seed = hash::mix_64(hash::mix_64((self.seed as u64) << 32 | frame as u64) ^ block as u64);
+        let seed = hash::mix_64((self.seed as u64) << 32 | frame as u64);
+        let seed = seed ^ (block as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         ZOrderPixel { seed, place_rev: hash::laine_karras_4(zorder::morton_16(x, y).reverse_bits(), seed as u32) }
     }
 }

@@ -107,7 +107,7 @@ modules! {
     LATTICE "lattice" [WIDE]
     /// [`linear`](crate::linear): `bd_linear_…`; reads [`LINEAR_ORDER`].
     LINEAR "linear" []
-    /// [`zorder`](crate::zorder), the curve: `bd_zorder_…`. (The sampler is [`Z_ORDER`].)
+    /// [`zorder`](crate::zorder), the curve and its sequence: `bd_zorder_…`. (The sampler is [`Z_ORDER`].)
     ZORDER "zorder" []
     /// [`strata`](crate::strata): `bd_strata_…`.
     STRATA "strata" [HASH]

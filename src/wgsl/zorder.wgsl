@@ -39,8 +39,8 @@ fn bd_zorder_point(index: u32) -> vec2<u32> {
     y ^= (y << 8u) & 0xff00ff00u;
     y ^= y << 16u;
     var n = vec2<u32>(x, y);
-    n ^= (n >> vec2<u32>(1u)) & vec2<u32>(0x53bcbb62u, 0x29892628u);
-    n ^= (n >> vec2<u32>(2u)) & vec2<u32>(0x2fd5fb3au, 0x17e96664u);
-    n ^= (n >> vec2<u32>(4u)) & vec2<u32>(0x03f3b577u, 0x09bd5c47u);
-    return n ^ ((n >> vec2<u32>(8u)) & vec2<u32>(0x009624ecu, 0x00f885d3u));
+    n ^= (n >> vec2<u32>(1u)) & vec2<u32>(0x53be4322u, 0x298af328u);
+    n ^= (n >> vec2<u32>(2u)) & vec2<u32>(0x2ff4b33au, 0x17efc464u);
+    n ^= (n >> vec2<u32>(4u)) & vec2<u32>(0x03ffe2f7u, 0x099fe007u);
+    return n ^ ((n >> vec2<u32>(8u)) & vec2<u32>(0x00a5ffecu, 0x00edffd3u));
 }

@@ -35,15 +35,15 @@ struct bd_SamplerPixel {
 // The samples of one pixel in one frame.
 fn bd_sampler_pixel(seeded: bd_Sampler, x: u32, y: u32, frame: u32) -> bd_SamplerPixel {
     let seed = bd_hash_mix_64(vec2<u32>(frame, seeded.seed));
-    let own = bd_hash_mix(seed.x ^ x ^ ((y << 16u) | (y >> 16u)));
+    let own = bd_hash_mix((seed.x + x) ^ ((y << 16u) | (y >> 16u)));
     return bd_SamplerPixel(seeded.order, seeded.flips_rev, seed, own, vec2<u32>(x, y));
 }
 
 // The pair of a domain at an index, 0.32 fixed point.
 fn bd_sampler_pair(pixel: bd_SamplerPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
     // Every domain lies elsewhere on one endless plane of blocks.
-    let far = pixel.seed ^ bd_hash_mix_64(vec2<u32>(bd_domain_padded(domain, pad), 0u));
-    let there = pixel.place + far;
+    let far = bd_domain_word(pixel.seed, domain, pad);
+    let there = pixel.place + vec2<u32>(far.y, (far.x << 5u) | (far.x >> 27u));
     // What all pixels of a block have: a set of columns, transposed or not, numbers swapped or not, a digital shift.
     let shift = bd_hash_mix_64(pixel.seed ^ (there >> vec2<u32>(5u)));
     let choice = shift.y;

@@ -25,7 +25,8 @@ struct bd_ZOrderPixel {
 // The samples of one pixel in one frame.
 fn bd_z_order_pixel(seeded: bd_ZOrder, x: u32, y: u32, frame: u32) -> bd_ZOrderPixel {
     let block = (x >> 16u) | (y & 0xffff0000u);
-    let seed = bd_hash_mix_64(bd_hash_mix_64(vec2<u32>(frame, seeded.seed)) ^ vec2<u32>(block, 0u));
+    let own = bd_wide_mul(vec2<u32>(block, 0u), vec2<u32>(0x7f4a7c15u, 0x9e3779b9u));
+    let seed = bd_hash_mix_64(vec2<u32>(frame, seeded.seed)) ^ own;
     return bd_ZOrderPixel(seed, bd_hash_laine_karras_4(reverseBits(bd_zorder_morton_16(x, y)), seed.x));
 }
 
