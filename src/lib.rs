@@ -38,7 +38,7 @@
 //! | a renderer | [`Sampler`]`::with_spp` |
 //! | a renderer that stops when it likes | [`Sampler`]`::new` |
 //! | one dimension at a time, few samples, hard steps | [`Dithered`]`::with_spp` |
-//! | no room for 4 KiB of constants, or a filter of four pixels and more | [`ZOrder`] |
+//! | no room for 4 KiB of constants, or a Gaussian of 4 pixels and more to come | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | a display of few levels, an e-ink panel, banding | [`Dither`] |
 //! | the same, and frames that are averaged | a mask over time (feature `threshold-over-time-64`, see [`frames::masks`]) |

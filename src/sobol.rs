@@ -18,10 +18,21 @@ pub const fn dimension_0(index: u32) -> u32 {
 #[inline]
 #[must_use]
 pub const fn dimension_1(index: u32) -> u32 {
-    dimension_1_rev(index).reverse_bits()
+    second(dimension_0(index))
 }
 
-/// [`dimension_1`], bit-reversed: what [`laine_karras`](crate::hash::laine_karras) scrambles.
+/// The second number of the point of the first two dimensions whose first number is `first`.
+#[inline]
+pub(crate) const fn second(first: u32) -> u32 {
+    let mut n = first;
+    n ^= (n << 1) & 0xaaaa_aaaa;
+    n ^= (n << 2) & 0xcccc_cccc;
+    n ^= (n << 4) & 0xf0f0_f0f0;
+    n ^= (n << 8) & 0xff00_ff00;
+    n ^ (n << 16)
+}
+
+/// [`dimension_1`], bit-reversed, by the same butterflies the other way round: what [`laine_karras`](crate::hash::laine_karras) scrambles.
 #[inline]
 #[must_use]
 pub const fn dimension_1_rev(index: u32) -> u32 {

@@ -8,6 +8,8 @@
 //! The sequence is Sobol's with digits scrambled by a matrix (Matoušek 1998) that a few shifts and masks make: annealed
 //! for little error of half-planes and smooth integrands, in a pixel and in squares of them.
 
+use crate::sobol;
+
 /// The Z curve (Morton 1966): bit k of `x` is bit 2k of the code, bit k of `y` bit 2k+1.
 #[inline]
 #[must_use]
@@ -54,7 +56,8 @@ pub const fn first_index(place_rev: u32) -> u32 {
 }
 
 /// Point `index` of the sequence that pixels share: 0.32 fixed point. Linear: the point of `a ^ b` is that of `a` XOR
-/// that of `b`, and every aligned run of 2ᵐ points is a (0, m, 2)-net.
+/// that of `b`, and every aligned run of 2ᵐ points is a (0, m, 2)-net. A bit reversal and some thirty operations, no
+/// look-up and no product.
 #[inline]
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "halves of a word")]
@@ -63,23 +66,18 @@ pub const fn point(index: u32) -> [u32; 2] {
     [(word >> 32) as u32, word as u32]
 }
 
-/// [`point`] of a bit-reversed index, both numbers in one word, the first in the upper half. No look-up, no product.
+/// [`point`] of a bit-reversed index, both numbers in one word, the first in the upper half.
 #[inline]
 pub(crate) const fn packed_rev(index_rev: u32) -> u64 {
-    // Sobol's second number, as `sobol::dimension_1`, from the first: a reversed index is one.
-    let mut n = index_rev;
-    n ^= (n << 1) & 0xaaaa_aaaa;
-    n ^= (n << 2) & 0xcccc_cccc;
-    n ^= (n << 4) & 0xf0f0_f0f0;
-    n ^= (n << 8) & 0xff00_ff00;
-    n ^= n << 16;
-    // To digits are added some of the digits above them. No mask has a bit that another number's digit would reach.
-    let mut word = (index_rev as u64) << 32 | n as u64;
+    // A reversed index is the first number.
+    let mut word = (index_rev as u64) << 32 | sobol::second(index_rev) as u64;
+    // To digits are added some of the digits above them. No word has a bit that a digit of the other number would reach.
     word ^= (word >> 1) & SCRAMBLE[0];
     word ^= (word >> 2) & SCRAMBLE[1];
     word ^= (word >> 4) & SCRAMBLE[2];
     word ^ (word >> 8) & SCRAMBLE[3]
 }
 
-/// Which digits take one from 1, 2, 4 and 8 above; `tests/bake/zorder.rs` finds it again.
+/// Which digits take one from 1, 2, 4 and 8 above, of the first number in the upper half. Found by `src/bake/columns/scramble.rs`;
+/// the last six digits are as they fell.
 const SCRAMBLE: [u64; 4] = [0x53be_4322_298a_f328, 0x2ff4_b33a_17ef_c464, 0x03ff_e2f7_099f_e007, 0x00a5_ffec_00ed_ffd3];

@@ -210,7 +210,7 @@ static inline uint32_t bd_directions_owen(bd_directions_t directions, uint32_t i
     return bd_hash_owen(bd_directions_dimension(directions, shuffled, dimension), scramble);
 }
 
-/* ---- zorder: pixels along a Z curve ---- */
+/* ---- zorder: pixels along a Z curve, and the sequence that they share ---- */
 
 /* The Morton code of the lower 16 bits of both: bit k of x is bit 2k, bit k of y bit 2k+1. */
 static inline uint32_t bd_zorder_morton_16(uint32_t x, uint32_t y) {
@@ -566,7 +566,7 @@ static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t
 
 static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
                                     uint32_t out[2]) {
-    /* Every domain lies elsewhere on one endless plane of blocks. */
+    /* Every domain lies elsewhere on one plane of 2^32 pixels a side. */
     const uint64_t there = bd_domain_word(pixel->seed, domain, pad);
     const uint32_t x = pixel->x + (uint32_t)(there >> 32), low = (uint32_t)there, y = pixel->y + (low << 5 | low >> 27);
     /* All pixels of a block have one of the sets, transposed or not, numbers swapped or not, and a digital shift. */
@@ -587,7 +587,7 @@ static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t do
 
 BD_CALL_SHAPE(bd_sampler)
 
-/* ---- z_order: Ahmed and Wonka 2020, progressive, no constants ---- */
+/* ---- z_order: Ahmed and Wonka 2020, progressive, no table ---- */
 
 typedef struct {
     uint32_t seed;

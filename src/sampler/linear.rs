@@ -12,7 +12,7 @@ use crate::tables::LINEAR_ORDER;
 /// 3,648 bytes of constants. Best at powers of two. Every pair of every domain is as good as the first; what several of
 /// them do together is white, except that the first two samples of different domains are related over blocks of 32×32
 /// pixels when the number of samples is 1, not known, or no power of two up to 256: under wide filters that is seen. A
-/// pixel costs two hashes; a domain another one (two if it is no constant) and some forty operations; a sample the
+/// pixel costs two hashes; a domain one and two products (two hashes if it is no constant), and some forty operations; a sample the
 /// shuffle of its number (a bit reversal, which domains share, and three products), two look-ups, and one for each bit
 /// set above the eighth.
 #[derive(Clone, Copy, Debug)]
@@ -125,13 +125,13 @@ impl Sampler {
 /// Coordinates inside a block.
 const INSIDE: u32 = (1 << BLOCK_LOG2) - 1;
 
-/// Where a pixel lies for a pair of dimensions: those of every seed, frame and domain have a place of their own on one
-/// endless plane of blocks. So their blocks begin elsewhere, and two that have the same columns are moved against each
-/// other: by the better bits of a product.
+/// Where a pixel lies for a pair of dimensions: those of every seed, frame and domain have a place at random on one plane
+/// of 2³² pixels a side. So their blocks begin elsewhere, and two that have the same columns are moved against each other.
 #[inline]
 #[expect(clippy::cast_possible_truncation, reason = "halves of a hash")]
 const fn place(seed: u64, domain: u32, pad: u32, x: u32, y: u32) -> (u32, u32) {
     let far = domain_word(seed, domain, pad);
+    // The place inside a block is of a product's upper bits: its lowest are the same for too many domains.
     (x.wrapping_add((far >> 32) as u32), y.wrapping_add((far as u32).rotate_left(5)))
 }
 

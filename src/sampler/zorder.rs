@@ -6,12 +6,13 @@ use crate::{hash, zorder};
 /// Z-order sampling: all pixels share one [scrambled (0, 2)-sequence](zorder::point), so that the points of neighbours
 /// complete each other, whatever their number.
 ///
-/// Every 2ᵏ×2ᵏ block of pixels that is aligned on the curve holds a net together, for its first 1, 2, 4, 8, … samples: the
-/// blueness is the same for all powers of two, known beforehand or not, and in all dimension pairs, and every pixel has
-/// points as good as those of [`White`](crate::White). With other numbers it is a little less. No table and no tile:
-/// pixels are unrelated only across the borders of 65536² blocks, which are seeded anew. A pixel costs a hash, a Morton code
-/// and a scramble in base 4, a domain a product, a scramble and forty operations, a sample the shuffle of its number and
-/// thirty operations.
+/// Every 2ᵏ×2ᵏ block of pixels that is aligned on the curve holds a net together, for its first 1, 2, 4, 8, … samples, known
+/// beforehand or not, in all dimension pairs. On smooth integrands a pixel's own error is below that of
+/// [`White`](crate::White) from 2 samples on, on half-planes about the same (`cargo run --release -p report -- error`).
+/// Other numbers are a little less blue. No table and no tile: pixels are unrelated only across the borders of 65536²
+/// blocks, which are seeded anew. A pixel costs a hash, a Morton code and a scramble in base 4; a domain a scramble, two
+/// products (a hash more if it is no constant) and forty operations; a sample the shuffle of its number and thirty
+/// operations.
 #[derive(Clone, Copy, Debug)]
 pub struct ZOrder {
     seed: u32,
@@ -40,6 +41,7 @@ impl ZOrder {
     pub const fn pixel(&self, x: u32, y: u32, frame: u32) -> ZOrderPixel {
         let block = (x >> 16) | (y & 0xffff_0000);
         let seed = hash::mix_64((self.seed as u64) << 32 | frame as u64);
+        // A product is enough: what is seeded by it is hashed or multiplied by an odd number of the domain's.
         let seed = seed ^ (block as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         ZOrderPixel { seed, place_rev: hash::laine_karras_4(zorder::morton_16(x, y).reverse_bits(), seed as u32) }
     }

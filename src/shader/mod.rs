@@ -1,7 +1,7 @@
 //! The same functions for shaders: WGSL text to paste, and the tables' bytes for its bindings.
 //!
-//! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`,
-//! then come the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
+//! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`
+//! (constants with `BD_`), then come the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
 //! `bd_sampler_pixel(sampler, x, y, frame)`, and another sampler is another word, as in Rust. `draw::<2>` is `draw2`;
 //! `[u32; 2]` is `vec2<u32>`; `u64` is `vec2<u32>`, its lower half first. The bits are the same.
 //!
@@ -34,7 +34,7 @@
 //! rows of [`dither`](crate::dither)) is left out, since a shader has its pixels side by side; so are
 //! [`warp`](crate::warp), whose functions have other bits on every device, and `unit::to_f64`. `Dither::gamma` is
 //! `bd_gamma_level` of a pixel's threshold; of several numbers some functions have a form for each count (`to_f32s2`,
-//! `global3`). All names begin with `bd_`, and each text declares its own once.
+//! `global3`).
 
 mod table;
 mod words;

@@ -6,6 +6,7 @@
 use rayon::prelude::*;
 
 use super::anneal::{Anneal, Map, Random, random_map};
+use super::cooling::cool;
 use super::net::{Candidates, Duals, Rows, add_a_row, prefix, sobol};
 use super::power::Power;
 use super::response::Responses;
@@ -43,25 +44,7 @@ fn of_little_power(candidates: &[Candidates], seed: u64) -> Rows {
         };
         (1..COUNTS).map(of).sum()
     };
-    let mut random = Random::new(seed);
-    let mut rows = sobol(seed);
-    let mut current = cost(&rows);
-    let mut best = (current, rows);
-    for step in 0..FIRST_TRIES {
-        let left = 1.0 - step as f64 / FIRST_TRIES as f64;
-        let before = rows;
-        add_a_row(&mut rows, &mut random);
-        let new = cost(&rows);
-        if new - current < -0.3 * left * left * libm::log(random.uniform().max(1e-12)) {
-            current = new;
-            if current < best.0 {
-                best = (current, rows);
-            }
-        } else {
-            rows = before;
-        }
-    }
-    best.1
+    cool(sobol(seed), FIRST_TRIES, 0.3, &mut Random::new(seed), add_a_row, cost).1
 }
 
 /// Changes rows, anneals a map briefly, keeps both if they are better together.

@@ -41,7 +41,7 @@ fn bd_sampler_pixel(seeded: bd_Sampler, x: u32, y: u32, frame: u32) -> bd_Sample
 
 // The pair of a domain at an index, 0.32 fixed point.
 fn bd_sampler_pair(pixel: bd_SamplerPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
-    // Every domain lies elsewhere on one endless plane of blocks.
+    // Every domain lies elsewhere on one plane of 2^32 pixels a side.
     let far = bd_domain_word(pixel.seed, domain, pad);
     let there = pixel.place + vec2<u32>(far.y, (far.x << 5u) | (far.x >> 27u));
     // What all pixels of a block have: a set of columns, transposed or not, numbers swapped or not, a digital shift.
