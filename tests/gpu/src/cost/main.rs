@@ -5,18 +5,19 @@
 //! cargo run -p gpu --bin cost -- FILE.wgsl …     # every compute entry point of files
 //! ```
 
+mod link;
 #[expect(unsafe_code, reason = "Vulkan is a C interface")]
 mod radv;
+mod rows;
+mod shader;
 #[path = "../../../../examples/export/translate.rs"]
 #[expect(dead_code, reason = "the checks of shaders use the rest")]
 mod translate;
 
 use std::process::ExitCode;
 
-use ash::vk;
-use naga::{AddressSpace, TypeInner};
-use radv::{Binding, Radv};
-use translate::Language;
+use radv::Radv;
+use shader::Cost;
 
 fn main() -> ExitCode {
     let files: Vec<String> = std::env::args().skip(1).collect();
@@ -31,40 +32,31 @@ fn main() -> ExitCode {
 
 fn run(files: &[String]) -> Result<(), String> {
     let radv = Radv::new()?;
-    println!("{}\n", radv.name);
+    let library = link::library();
+    println!("{}\n\n| | numbers |{}", radv.name, Cost::HEAD);
+    if files.is_empty() {
+        let mut text = String::new();
+        let mut names = Vec::new();
+        for (k, row) in rows::ROWS.iter().enumerate() {
+            for count in [2, 4] {
+                let name = format!("row_{k}_{count}_");
+                if library.iter().any(|(n, _)| n == &row.draw(count)) {
+                    text += &row.entry(&name, count);
+                    names.push((row.title, count));
+                }
+            }
+        }
+        let text = link::linked(&text, &library)?;
+        for ((title, count), (_, cost)) in names.iter().zip(shader::costs(&radv, &text)?) {
+            println!("| {title} | {count} |{cost}");
+        }
+    }
     for file in files {
         let text = std::fs::read_to_string(file).map_err(|error| format!("{file} cannot be read ({error})"))?;
-        for (name, told) in costs(&radv, &text)? {
-            println!("{name} {told:?}");
+        let text = link::linked(&text, &library)?;
+        for (name, cost) in shader::costs(&radv, &text)? {
+            println!("| {name} | |{cost}");
         }
     }
     Ok(())
-}
-
-fn costs(radv: &Radv, wgsl: &str) -> Result<Vec<(String, Vec<(String, u64)>)>, String> {
-    let (module, _) = translate::parse(wgsl)?;
-    let bytes = translate::translate(wgsl, Language::Spirv, "")?;
-    let spirv: Vec<u32> =
-        bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect();
-    let bindings = bindings(&module);
-    let points = module.entry_points.iter();
-    points.map(|point| Ok((point.name.clone(), radv.compile(&spirv, &point.name, &bindings)?))).collect()
-}
-
-fn bindings(module: &naga::Module) -> Vec<Binding> {
-    let bound = module.global_variables.iter().filter_map(|(_, variable)| Some((variable.binding?, variable)));
-    bound
-        .map(|(place, variable)| {
-            let kind = match (variable.space, &module.types[variable.ty].inner) {
-                (AddressSpace::Uniform, _) => vk::DescriptorType::UNIFORM_BUFFER,
-                (AddressSpace::Storage { .. }, _) => vk::DescriptorType::STORAGE_BUFFER,
-                (_, TypeInner::Sampler { .. }) => vk::DescriptorType::SAMPLER,
-                (_, TypeInner::Image { class: naga::ImageClass::Storage { .. }, .. }) => {
-                    vk::DescriptorType::STORAGE_IMAGE
-                }
-                _ => vk::DescriptorType::SAMPLED_IMAGE,
-            };
-            (place.group, place.binding, kind)
-        })
-        .collect()
 }
