@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The shaders on a device and in the compilers of others: every function a million times against Rust; what naga makes
-# of them, by the reference tools; and the WGSL by Tint, which Chromium has. Missing packages are installed, for which
-# it has to be root on Debian: a Vulkan device in software, the tools, node, and Dawn for node by npm.
+# of them, by the reference tools; the WGSL by Tint, which Chromium has; and what samplers cost on a GPU's compiler.
+# Missing packages are installed, for which it has to be root on Debian: a Vulkan device in software, the tools, node,
+# and Dawn for node by npm.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
@@ -64,9 +65,23 @@ without_a_device() {
     [[ $line == "error: there is no Vulkan device: one in software is installed by"* ]] || { echo "$line"; return 1; }
 }
 
+# What shaders cost on a real compiler, with bounds; a file of one's own; and one line where the driver is missing.
+costs() {
+    local cost=$CARGO_TARGET_DIR/debug/cost line
+    "$cost" | tee "$CARGO_TARGET_DIR/cost.md"
+    printf '%s\n' '@compute @workgroup_size(64)' 'fn mine(@builtin(global_invocation_id) id: vec3<u32>) {' \
+        '    bd_filled[id.x] = vec4<f32>(bd_unit_to_f32(bd_hash_mix(id.x)));' '}' >"$CARGO_TARGET_DIR/mine.wgsl"
+    "$cost" "$CARGO_TARGET_DIR/mine.wgsl" | grep '^| mine | '
+    if line=$(VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent "$cost" 2>&1); then
+        echo "without the driver this should have failed" && return 1
+    fi
+    [[ $line == "error: Mesa's RADV, which compiles without a GPU, is not there: "* ]] || { echo "$line"; return 1; }
+}
+
 part "installing" installed
 part "building" quick build
 part "without a device" without_a_device
+part "costs" costs
 part "functions on the device" "$CARGO_TARGET_DIR/debug/gpu"
 rm -rf "$out"
 part "writing" "$CARGO_TARGET_DIR/debug/gpu" --out "$out"

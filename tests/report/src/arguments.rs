@@ -61,6 +61,8 @@ pub enum Part {
     Speed,
     /// Instructions a number, where valgrind is installed
     Instructions,
+    /// What a shader costs on a GPU's compiler, where its driver is installed; not with --quick
+    Shaders,
     /// Seconds that a build takes, by features; not with --quick
     Builds,
     /// Bytes of tables

@@ -9,8 +9,8 @@ use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
 use crate::{
-    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, singles,
-    time_part,
+    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, shader_cost,
+    singles, time_part,
 };
 
 /// The page's chapters, and files of numbers beside their tables.
@@ -93,6 +93,10 @@ pub fn measure(arguments: &Arguments) -> Report {
     if arguments.has(Part::Instructions) {
         let (text, tables) = tables_or_line(instructions::tables(&names, &arguments.out));
         add("Instructions", &text, tables);
+    }
+    if arguments.has(Part::Shaders) && !arguments.quick {
+        let (text, tables) = tables_or_line(shader_cost::table().map(|table| vec![table]));
+        add("Shaders", &text, tables);
     }
     if arguments.has(Part::Builds) && !arguments.quick {
         let (text, tables) = tables_or_line(builds::table(&arguments.out).map(|table| vec![table]));

@@ -53,6 +53,7 @@ mod samplers;
 mod scene;
 mod scene_part;
 mod set_up;
+mod shader_cost;
 mod shape;
 #[path = "../../../examples/render/shapes.rs"]
 #[allow(missing_debug_implementations, reason = "a program's")]

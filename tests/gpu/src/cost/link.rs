@@ -26,7 +26,7 @@ const FILL: &str = include_str!("../../../../examples/export/fill.wgsl");
 const PEERS: &str = include_str!("peers.wgsl");
 
 /// A name and its text.
-type Declaration = (String, String);
+pub type Declaration = (String, String);
 
 /// All that can be added: functions, structures, constants and bindings.
 pub fn library() -> Vec<Declaration> {

@@ -1,9 +1,11 @@
-//! What shaders cost on the compiler of a real GPU, without a GPU.
+//! What shaders cost on the compiler of a real GPU, without a GPU: no timing, so the same on every machine.
 //!
 //! ```text
 //! cargo run -p gpu --bin cost                    # every sampler and what it is compared with, as Markdown
 //! cargo run -p gpu --bin cost -- FILE.wgsl …     # every compute entry point of files
 //! ```
+//!
+//! A file may call the crate's functions and read its tables without declaring them, and replace any of them.
 
 mod link;
 #[expect(unsafe_code, reason = "Vulkan is a C interface")]
@@ -17,7 +19,6 @@ mod translate;
 use std::process::ExitCode;
 
 use radv::Radv;
-use shader::Cost;
 
 fn main() -> ExitCode {
     let files: Vec<String> = std::env::args().skip(1).collect();
@@ -33,30 +34,20 @@ fn main() -> ExitCode {
 fn run(files: &[String]) -> Result<(), String> {
     let radv = Radv::new()?;
     let library = link::library();
-    println!("{}\n\n| | numbers |{}", radv.name, Cost::HEAD);
+    println!("{}\n", radv.name);
     if files.is_empty() {
-        let mut text = String::new();
-        let mut names = Vec::new();
-        for (k, row) in rows::ROWS.iter().enumerate() {
-            for count in [2, 4] {
-                let name = format!("row_{k}_{count}_");
-                if library.iter().any(|(n, _)| n == &row.draw(count)) {
-                    text += &row.entry(&name, count);
-                    names.push((row.title, count));
-                }
-            }
-        }
-        let text = link::linked(&text, &library)?;
-        for ((title, count), (_, cost)) in names.iter().zip(shader::costs(&radv, &text)?) {
-            println!("| {title} | {count} |{cost}");
-        }
+        return rows::print(&radv, &library);
     }
+    let mut lines = String::new();
     for file in files {
         let text = std::fs::read_to_string(file).map_err(|error| format!("{file} cannot be read ({error})"))?;
-        let text = link::linked(&text, &library)?;
-        for (name, cost) in shader::costs(&radv, &text)? {
-            println!("| {name} | |{cost}");
+        let text = link::linked(&text, &library).map_err(|error| format!("{file}: {error}"))?;
+        let found = shader::costs(&radv, &text)?;
+        if found.is_empty() {
+            return Err(format!("{file} has no entry point: it needs a function with @compute"));
         }
+        lines.extend(found.iter().map(|(name, cost)| format!("| {name} |{cost}\n")));
     }
+    print!("{}\n{lines}", shader::head("entry point"));
     Ok(())
 }

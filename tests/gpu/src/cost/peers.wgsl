@@ -27,6 +27,14 @@ fn pcg4d_draw4(pixel: vec3<u32>, domain: u32, index: u32) -> vec4<f32> {
     return bd_unit_to_f32s4(pcg4d(vec4<u32>(pixel, (index << 8u) | domain)));
 }
 
+fn pcg4d_draw8(pixel: vec3<u32>, domain: u32, index: u32) -> array<f32, 8> {
+    return eight(pcg4d_draw4(pixel, 2u * domain, index), pcg4d_draw4(pixel, 2u * domain + 1u, index));
+}
+
+fn eight(a: vec4<f32>, b: vec4<f32>) -> array<f32, 8> {
+    return array<f32, 8>(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+}
+
 // Heitz et al. 2019, "A Low-Discrepancy Sampler that Distributes Monte Carlo Errors as a Blue Noise in Screen Space":
 // three look-ups a number; a word a value as published, 1.25 MiB.
 @group(0) @binding(16) var<storage, read> heitz_sobol: array<u32>;
@@ -50,6 +58,10 @@ fn heitz_draw2(pixel: u32, domain: u32, index: u32) -> vec2<f32> {
 
 fn heitz_draw4(pixel: u32, domain: u32, index: u32) -> vec4<f32> {
     return heitz_values(pixel, domain, index, 0u);
+}
+
+fn heitz_draw8(pixel: u32, domain: u32, index: u32) -> array<f32, 8> {
+    return eight(heitz_values(pixel, domain, index, 0u), heitz_values(pixel, domain, index, 4u));
 }
 
 // Four from number `first` on.
@@ -124,6 +136,11 @@ fn owen_sobol_draw2(pixel: u32, domain: u32, index: u32) -> vec2<f32> {
 
 fn owen_sobol_draw4(pixel: u32, domain: u32, index: u32) -> vec4<f32> {
     return bd_unit_to_f32s4(owen_sobol(index, bd_hash_mix(pixel + domain)));
+}
+
+// Two sets of four: the second has an order of its own.
+fn owen_sobol_draw8(pixel: u32, domain: u32, index: u32) -> array<f32, 8> {
+    return eight(owen_sobol_draw4(pixel, 2u * domain, index), owen_sobol_draw4(pixel, 2u * domain + 1u, index));
 }
 
 // Four thresholds of `bluedither::Dither`.

@@ -8,23 +8,34 @@ use naga::{AddressSpace, ImageClass, Module, TypeInner};
 use crate::radv::{Binding, Radv};
 use crate::translate::{Language, parse, translate};
 
-/// What the driver says of an entry point.
-#[derive(Debug, PartialEq, Eq)]
-pub struct Cost {
-    /// In the order of the names below.
-    figures: [u64; NAMES.len()],
-}
-
+/// The driver's names of what is told.
 const NAMES: [&str; 5] = ["Instructions", "Inverse Throughput", "VGPRs", "Latency", "Code size"];
 
+/// A table's first two lines in Markdown, with the names of the first columns.
+pub fn head(first: &str) -> String {
+    let head = format!("| {first} | instructions | inverse throughput | VGPRs | latency | bytes of code |");
+    let rule = "|---:".repeat(head.matches(" | ").count());
+    format!("{head}\n|---{rule}|")
+}
+
+/// What the driver says of an entry point, in the order of [`NAMES`].
+#[derive(Debug, PartialEq, Eq)]
+pub struct Cost([u64; NAMES.len()]);
+
 impl Cost {
-    pub const HEAD: &str =
-        " instructions | inverse throughput | VGPRs | latency | bytes of code |\n|---|---:|---:|---:|---:|---:|---:|";
+    pub fn instructions(&self) -> u64 {
+        self.0[0]
+    }
+
+    /// Cycles of the unit that is busiest.
+    pub fn inverse_throughput(&self) -> u64 {
+        self.0[1]
+    }
 }
 
 impl Display for Cost {
     fn fmt(&self, f: &mut Formatter<'_>) -> Formatted {
-        self.figures.iter().try_for_each(|figure| write!(f, " {figure} |"))
+        self.0.iter().try_for_each(|figure| write!(f, " {figure} |"))
     }
 }
 
@@ -35,10 +46,14 @@ pub fn costs(radv: &Radv, wgsl: &str) -> Result<Vec<(String, Cost)>, String> {
     let spirv: Vec<u32> =
         bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect();
     let bindings = bindings(&module);
-    let cost = |name: &str| {
+    let cost = |name: &str| -> Result<(String, Cost), String> {
         let told = radv.compile(&spirv, name, &bindings)?;
-        let figure = |name: &str| told.iter().find(|(told, _)| told == name).map_or(0, |&(_, figure)| figure);
-        Ok((name.to_string(), Cost { figures: NAMES.map(figure) }))
+        let mut cost = Cost([0; NAMES.len()]);
+        for (figure, name) in cost.0.iter_mut().zip(NAMES) {
+            let found = told.iter().find(|(told, _)| told == name);
+            *figure = found.ok_or_else(|| format!("this version of the driver tells no {name}"))?.1;
+        }
+        Ok((name.to_string(), cost))
     };
     module.entry_points.iter().map(|point| cost(&point.name)).collect()
 }
