@@ -1,6 +1,6 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{Pair, call_shape, domain_word, halves, row_shape};
+use super::{Pair, call_shape, domain_word, halves, padded, row_shape};
 use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Columns, Order, SETS};
 use crate::tables::LINEAR_ORDER;
@@ -102,23 +102,34 @@ impl Sampler {
         samples: &mut [[T; D]],
         convert: impl Fn(u32) -> T + Copy,
     ) {
-        const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: take more from further domains") };
-        self.words_of_row(0, row, domain, index, samples.iter_mut(), |sample, word| {
+        self.pair_of_row::<0, D, T>(row, domain, index, samples, convert);
+        if D > 2 {
+            self.pair_of_row::<1, D, T>(row, domain, index, samples, convert);
+        }
+        if D > 4 {
+            self.pair_of_row::<2, D, T>(row, domain, index, samples, convert);
+        }
+        if D > 6 {
+            self.pair_of_row::<3, D, T>(row, domain, index, samples, convert);
+        }
+    }
+
+    #[inline(always)]
+    fn pair_of_row<const PAD: u32, const D: usize, T>(
+        &self,
+        row: [u32; 3],
+        domain: u32,
+        index: u32,
+        samples: &mut [[T; D]],
+        convert: impl Fn(u32) -> T + Copy,
+    ) {
+        self.words_of_row(PAD, row, domain, index, samples.iter_mut(), |sample, word| {
             let [u, v] = halves(word);
-            sample[0] = convert(u);
-            if D > 1 {
-                sample[1] = convert(v);
+            sample[2 * PAD as usize] = convert(u);
+            if 2 * (PAD as usize) + 1 < D {
+                sample[2 * PAD as usize + 1] = convert(v);
             }
         });
-        if D > 2 {
-            self.words_of_row(1, row, domain, index, samples.iter_mut(), |sample, word| {
-                let [u, v] = halves(word);
-                sample[2] = convert(u);
-                if D > 3 {
-                    sample[3] = convert(v);
-                }
-            });
-        }
     }
 }
 
@@ -250,5 +261,6 @@ impl Pair for LinearPair {
     }
 }
 
-call_shape!(impl[] LinearPixel, pair);
+padded!(impl[] LinearPixel, pair);
+call_shape!(impl[] LinearPixel);
 row_shape!(impl[] Sampler);
