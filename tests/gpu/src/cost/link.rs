@@ -4,19 +4,15 @@ use bluedither::shader::{self, Table};
 
 use crate::translate::parse;
 
-const TABLES: [Table; 12] = [
+const TABLES: [Table; 8] = [
     shader::LINEAR_ORDER,
     shader::SCALAR_MASK,
     shader::VECTOR_MASK,
-    shader::LATTICE_MASK,
     shader::KEYS_TILE,
     shader::DIRECTION_NUMBERS,
     shader::TIME_MASK,
     shader::LINEAR_LIGHT,
     shader::SEED_SWAPS,
-    shader::SOBOL_2019,
-    shader::SCRAMBLING_2019,
-    shader::RANKING_2019,
 ];
 /// Pixels a side of masks, and dimensions of direction numbers.
 const SIZE: usize = 64;
