@@ -6,6 +6,7 @@
 //! ```
 //!
 //! A file may call the crate's functions and read its tables without declaring them, and replace any of them.
+//! The compiler's estimates weigh conditional code less: compare shaders of one form, as the table's all are.
 
 mod link;
 #[expect(unsafe_code, reason = "Vulkan is a C interface")]
