@@ -9,7 +9,7 @@ use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
 use crate::{
-    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, singles,
+    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, several, singles,
     time_part,
 };
 
@@ -24,7 +24,7 @@ pub struct Report {
 }
 
 /// Runs every part that was asked for.
-pub fn measure(arguments: &Arguments) -> Report {
+pub fn measure(arguments: &Arguments) -> Result<Report, String> {
     let names = arguments.samplers();
     let bench = Bench::new();
     let mut report = Report { chapters: Vec::new(), csv: Vec::new(), errors: None, speeds: None };
@@ -40,6 +40,11 @@ pub fn measure(arguments: &Arguments) -> Report {
         report.csv.push(("error.csv", errors.csv()));
         report.chapters.extend(error_chapters(&errors, speeds.as_ref()));
         report.errors = Some(errors);
+    }
+    if arguments.has(Part::Several) {
+        let (chapter, csv) = several::chapter(arguments)?;
+        report.csv.push(("several.csv", csv));
+        report.chapters.push(chapter);
     }
     if arguments.has(Part::Scene) {
         // Second, after the main picture: it is what people look at.
@@ -110,7 +115,7 @@ pub fn measure(arguments: &Arguments) -> Report {
     if arguments.has(Part::Dither) {
         report.chapters.push(dither_part::chapter(arguments.quick));
     }
-    report
+    Ok(report)
 }
 
 /// What was measured, or a line that says why nothing was.

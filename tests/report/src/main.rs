@@ -53,6 +53,7 @@ mod samplers;
 mod scene;
 mod scene_part;
 mod set_up;
+mod several;
 mod shape;
 #[path = "../../../examples/render/shapes.rs"]
 #[allow(missing_debug_implementations, reason = "a program's")]
@@ -92,7 +93,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     let start = Instant::now();
     // Before the minutes of measuring, not after.
     std::fs::create_dir_all(&arguments.out).map_err(|error| cannot_write(&arguments.out, &error))?;
-    let chapters::Report { chapters, csv, errors, speeds } = chapters::measure(arguments);
+    let chapters::Report { chapters, csv, errors, speeds } = chapters::measure(arguments)?;
     if let (Some(path), Some(errors), Some(speeds)) = (&arguments.readme, &errors, &speeds) {
         readme::update(path, readme::Figures { errors, speeds })?;
     }
