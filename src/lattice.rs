@@ -12,18 +12,6 @@
 /// Kritzer, Kuo and Nuyens 2012). The one in the released code of Belcour and Heitz 2021.
 pub const EXEW: [u32; 10] = [1, 364_981, 245_389, 97_823, 488_939, 62_609, 400_749, 385_317, 21_281, 223_487];
 
-/// `exod2_base2_m20_CKN`: extensible to 2²⁰ points, order-2 weights; its first ten of 250 dimensions (Cools, Kuo and
-/// Nuyens 2006).
-pub const EXOD2: [u32; 10] = [1, 182_667, 469_891, 498_753, 110_745, 446_247, 250_185, 118_627, 245_333, 283_199];
-
-/// `lattice-33002-1024-1048576.9125` of F. Kuo: good from 2¹⁰ to 2²⁰ points; its first ten of 9125 dimensions.
-pub const KUO_33002: [u32; 10] = [1, 182_667, 213_731, 255_351, 96_013, 116_671, 479_315, 424_089, 271_103, 464_421];
-
-/// Fixed number of points: N of 2⁴, 2⁶, 2⁸ and 2¹⁰ with four dimensions each, made by `tests/api/lattice.rs`, component by
-/// component, for the Korobov space of order 2 with the weights 1, 1/2, 1/4 and 1/8 (Sloan and Reztsov 2002).
-pub const FIXED: [(u32, [u32; 4]); 4] =
-    [(16, [1, 7, 3, 5]), (64, [1, 19, 29, 13]), (256, [1, 75, 23, 123]), (1024, [1, 275, 167, 403])];
-
 /// Fibonacci numbers F₂ to F₄₇, which is the last below 2³². The 2-D lattice of N = Fₖ points with z = (1, Fₖ₋₁)
 /// leaves the least error of its size in the Korobov space of order 2 (tested up to 233 points).
 pub const FIBONACCI: [u32; 46] = fibonacci();
@@ -45,6 +33,13 @@ pub const fn fixed(index: u32, z: u32, count: u32) -> u32 {
 #[must_use]
 pub const fn extensible(index: u32, z: u32) -> u32 {
     index.reverse_bits().wrapping_mul(z)
+}
+
+/// The first two coordinates by [`EXEW`], frac(φ·z), of the point whose φ(i) is `phi`: the bit-reversed index.
+#[inline]
+#[must_use]
+pub(crate) const fn multiples(phi: u32) -> [u32; 2] {
+    [phi.wrapping_mul(EXEW[0]), phi.wrapping_mul(EXEW[1])]
 }
 
 /// Increments of the R-sequence in D dimensions, D = 1..4 in row D−1: 2³²·φ⁻ʲ rounded to odd, for φ^(D+1) = φ + 1.

@@ -38,7 +38,6 @@
 //! | a renderer | [`Sampler`]`::with_spp` |
 //! | a renderer that stops when it likes | [`Sampler`]`::new` |
 //! | one dimension at a time, few samples, hard steps | [`Dithered`]`::with_spp` |
-//! | no room for 4 KiB of constants, or a Gaussian of 4 pixels and more to come | [`ZOrder`] |
 //! | one number a pixel: a threshold, a ray-march start | [`ScalarMask::value`] of a threshold mask |
 //! | a display of few levels, an e-ink panel, banding | [`Dither`] |
 //! | the same, and frames that are averaged | a mask over time (feature `threshold-over-time-64`, see [`frames::masks`]) |
@@ -46,8 +45,7 @@
 //! | frames of paths of many dimensions | `White` of a seed a pixel, permuted (feature `seed-permutation`, see `frames::seeds`) |
 //! | your own points | [`shift::global`] or [`shift::stratified_2d`] by [`VectorMask::value_fx`] |
 //! | a renderer that stops when it likes, often after one sample, and 16 KB | [`Keyed`] (feature `keys-64`) |
-//! | a rank-1 lattice, up to 4 samples per pixel | [`Rank1`] (feature `lattice-64`) |
-//! | pictures that must match the tables of 2019 | [`keys_2019`] |
+//! | a rank-1 lattice, up to 4 samples per pixel | `Dithered::lattice` (feature `lattice-64`) |
 //! | a picture without smooth parts | [`White`] |
 //! | your own masks | [`ScalarMask::from_slice`], [`VectorMask::from_slice`], [`Dithered::with_masks`] |
 //! | a shader | the same functions as WGSL (feature `wgsl`, see `shader`) |
@@ -72,8 +70,6 @@
 //! | `offset-2d-128` | | 65,536 |
 //! | `keys-64` | scrambling keys, good at any number of samples | 16,384 |
 //! | `keys-128` | | 65,536 |
-//! | `keys-64-spp-4` | the same, better at 4 samples | 16,384 |
-//! | `keys-64-spp-16` | the same, better at 16 samples | 16,384 |
 //! | `lattice-64` | shifts of a rank-1 lattice, good at 1, 4 and 16 samples | 16,384 |
 //! | `sobol-16` | direction numbers of the Sobol sequence, in `tables` | 2,048 |
 //! | `sobol-64` | | 8,192 |
@@ -96,9 +92,9 @@
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`ZOrder`], [`White`], [`Constant`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`linear`],
-//! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), [`keys_2019`], and
-//! [`Dithered`], [`Keyed`] and [`Rank1`] by masks and keys of your own.
+//! [`Sampler`], [`White`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`linear`], [`zorder`], [`lattice`],
+//! [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), and [`Dithered`] and [`Keyed`] by masks and keys of
+//! your own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
 //! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.
@@ -122,7 +118,6 @@ pub mod effort;
 pub mod frames;
 pub mod hash;
 pub mod keys;
-pub mod keys_2019;
 pub mod lattice;
 pub mod linear;
 pub mod mask;
@@ -144,7 +139,7 @@ pub mod zorder;
 pub use dither::Dither;
 pub use keys::Keys;
 pub use mask::{ScalarMask, VectorMask};
-pub use sampler::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder};
+pub use sampler::{Dithered, Keyed, Sampler, White};
 
 /// The README's examples, compiled.
 #[cfg(all(doctest, feature = "threshold-64", feature = "offset-2d-64"))]

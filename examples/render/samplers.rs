@@ -7,7 +7,8 @@ use crate::candidates::Candidates;
 use crate::film::Image;
 use crate::masks::Masks;
 use crate::scene::{Dimensions, Sample, Scene};
-use bluedither::{Constant, Dithered, Sampler, White, ZOrder};
+use bluedither::sampler::WhitePixel;
+use bluedither::{Dithered, Sampler, White};
 
 /// What the numbers are for: different domains are decorrelated.
 const TIME: u32 = 0;
@@ -22,6 +23,15 @@ pub struct Job<'a> {
     pub size: [u32; 2],
     pub spp: u32,
     pub arguments: &'a Arguments,
+}
+
+/// The fully correlated control: the same samples in every pixel, no noise and all bias, seen as banding.
+struct Constant(White);
+
+impl Constant {
+    fn pixel(&self, _: u32, _: u32, frame: u32) -> WhitePixel {
+        self.0.pixel(0, 0, frame)
+    }
 }
 
 macro_rules! samplers {
@@ -54,7 +64,7 @@ macro_rules! samplers {
 }
 
 samplers! { |masks, seed, spp, size|
-    "constant" => Constant::with_spp(seed, spp),
+    "constant" => Constant(White::with_spp(seed, spp)),
     "white" => White::with_spp(seed, spp),
     "best-candidate" => Candidates::new(seed, size, [LENS, LIGHT + 1], spp),
     "low-global" => masks.low().dithered(seed).global(),
@@ -63,9 +73,8 @@ samplers! { |masks, seed, spp, size|
     "all-stratified" => masks.all().dithered(seed).stratified(spp),
     "high-global" => masks.high().dithered(seed).global(),
     "high-stratified" => masks.high().dithered(seed).stratified(spp),
-    "z-order" => ZOrder::with_spp(seed, spp),
     #[cfg(feature = "lattice-64")]
-    "lattice" => bluedither::Rank1::with_spp(seed, spp),
+    "lattice" => Dithered::lattice(seed),
     #[cfg(feature = "keys-64")]
     "keys" => bluedither::Keyed::with_spp(seed, spp),
     "dithered" => Dithered::with_spp(seed, spp),

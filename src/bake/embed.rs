@@ -46,8 +46,6 @@ pub fn table(recipe: Recipe, effort: Effort, ranks: &[u16]) -> String {
         }
         Kind::Lattice => ("Shifts of a rank-1 lattice", vector()),
         Kind::Keys => ("Scrambling keys for any number of samples", keys()),
-        Kind::Keys4 => ("Scrambling keys for 4 samples, and the first 1 and 2 of them", keys()),
-        Kind::Keys16 => ("Scrambling keys for 16 samples, and the first 1 to 8 of them", keys()),
     };
     let several = if frames == 1 { String::new() } else { format!(", {frames} frames") };
     let tiles = ranks.chunks(ranks.len() / frames).map(|tile| rows(recipe, tile));

@@ -33,10 +33,6 @@ pub enum Kind {
     Retargeting,
     /// Scrambling keys, from the linear order of any number of samples.
     Keys,
-    /// Keys from the linear order of 4 samples.
-    Keys4,
-    /// Keys from the linear order of 16 samples.
-    Keys16,
     /// Shifts of a rank-1 lattice, annealed for 1, 4 and 16 samples at once.
     Lattice,
 }
@@ -68,8 +64,6 @@ pub fn all() -> Vec<Recipe> {
         .chain(sizes(Kind::Offset1d, 4..=7))
         .chain(sizes(Kind::Offset2d, 4..=7))
         .chain(sizes(Kind::Keys, 6..=7))
-        .chain(sizes(Kind::Keys4, 6..=6))
-        .chain(sizes(Kind::Keys16, 6..=6))
         .chain(sizes(Kind::Lattice, 6..=6))
         .chain(sizes(Kind::OverTime, 5..=7))
         .chain(sizes(Kind::Offset2dOverTime, 5..=6))
@@ -90,8 +84,7 @@ impl Recipe {
         match self.kind {
             Kind::Threshold | Kind::Offset1d | Kind::OverTime => 1,
             Kind::Filtered | Kind::FilteredOverTime | Kind::Retargeting => 1,
-            Kind::Offset2d | Kind::Offset2dOverTime | Kind::Lattice => 2,
-            Kind::Keys | Kind::Keys4 | Kind::Keys16 => 2,
+            Kind::Offset2d | Kind::Offset2dOverTime | Kind::Lattice | Kind::Keys => 2,
         }
     }
 
@@ -123,8 +116,6 @@ impl Recipe {
             Kind::Offset1d => 1,
             Kind::Offset2d | Kind::Offset2dOverTime => 2,
             Kind::OverTime | Kind::FilteredOverTime | Kind::Keys => 3,
-            Kind::Keys4 => 4,
-            Kind::Keys16 => 5,
             Kind::Lattice => 6,
         };
         u64::from(self.size_log2) << 8 | kind
@@ -148,8 +139,6 @@ impl Recipe {
             Kind::FilteredOverTime => format!("threshold_filtered_over_time_{size}"),
             Kind::Retargeting => "seed_permutation".into(),
             Kind::Keys => format!("keys_{size}"),
-            Kind::Keys4 => format!("keys_{size}_spp_4"),
-            Kind::Keys16 => format!("keys_{size}_spp_16"),
             Kind::Lattice => format!("lattice_{size}"),
         }
     }
@@ -202,8 +191,6 @@ impl Recipe {
             Kind::Lattice => self.bake_offsets(Pattern::Lattice, &inputs.features_lattice, effort, inputs),
             // Ranks below the number of samples do not change their set.
             Kind::Keys => self.bake_keys(6, linear::ORDERS - 1, effort, inputs),
-            Kind::Keys4 => self.bake_keys(2, 2, effort, inputs),
-            Kind::Keys16 => self.bake_keys(4, 4, effort, inputs),
         }
     }
 

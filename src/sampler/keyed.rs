@@ -1,6 +1,6 @@
 //! Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019: one sequence for the image, scrambled by keys of every pixel.
 
-use super::{Pair, call_shape, domain_seed, halves, row_by_pixels, row_shape};
+use super::{Pair, call_shape, domain_seed, halves, padded, row_by_pixels, row_shape};
 use crate::tables::LINEAR_ORDER;
 use crate::{hash, keys::Keys, torus};
 
@@ -32,8 +32,7 @@ impl Keyed<'static, 64> {
         Self::with_keys(&crate::tables::KEYS_64, seed)
     }
 
-    /// The same as [`new`](Self::new), whose table is made for every prefix; `spp` makes no difference. For one made
-    /// for 4 or 16 samples, bake it (`keys-64-spp-4`, `keys-64-spp-16`) and take [`with_keys`](Self::with_keys).
+    /// The same as [`new`](Self::new), whose table is made for every prefix; `spp` makes no difference.
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
@@ -122,6 +121,7 @@ static POINTS_REV: [[u32; 2]; 256] = {
     points
 };
 
-call_shape!(impl['a, const S: usize] KeyedPixel<'a, S>, pair);
+padded!(impl['a, const S: usize] KeyedPixel<'a, S>, pair);
+call_shape!(impl['a, const S: usize] KeyedPixel<'a, S>);
 row_shape!(impl['a, const S: usize] Keyed<'a, S>);
 row_by_pixels!(impl['a, const S: usize] Keyed<'a, S>);

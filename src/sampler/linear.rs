@@ -1,6 +1,6 @@
 //! The recommended sampler: the linear pixel order.
 
-use super::{Pair, call_shape, domain_word, halves, row_shape};
+use super::{Pair, call_shape, domain_word, halves, padded, row_shape};
 use crate::hash;
 use crate::linear::{self, BLOCK_LOG2, Columns, Order, SETS};
 use crate::tables::LINEAR_ORDER;
@@ -102,22 +102,16 @@ impl Sampler {
         samples: &mut [[T; D]],
         convert: impl Fn(u32) -> T + Copy,
     ) {
-        const { assert!(D >= 1 && D <= 4, "a domain has 1 to 4 dimensions: take more from further domains") };
-        self.words_of_row(0, row, domain, index, samples.iter_mut(), |sample, word| {
-            let [u, v] = halves(word);
-            sample[0] = convert(u);
-            if D > 1 {
-                sample[1] = convert(v);
-            }
-        });
-        if D > 2 {
-            self.words_of_row(1, row, domain, index, samples.iter_mut(), |sample, word| {
+        let (mut k, mut pad) = (0, 0);
+        while k < D {
+            self.words_of_row(pad, row, domain, index, samples.iter_mut(), |sample, word| {
                 let [u, v] = halves(word);
-                sample[2] = convert(u);
-                if D > 3 {
-                    sample[3] = convert(v);
+                sample[k] = convert(u);
+                if k + 1 < D {
+                    sample[k + 1] = convert(v);
                 }
             });
+            (k, pad) = (k + 2, pad + 1);
         }
     }
 }
@@ -250,5 +244,6 @@ impl Pair for LinearPair {
     }
 }
 
-call_shape!(impl[] LinearPixel, pair);
+padded!(impl[] LinearPixel, pair);
+call_shape!(impl[] LinearPixel);
 row_shape!(impl[] Sampler);

@@ -1,11 +1,14 @@
 //! The call shape for a row of pixels at once: one sample of each.
 
 /// The public draws of a sampler for a row of pixels, made from its private `row`, which puts every number through
-/// `convert`.
+/// `convert`:
+/// ```text
+/// row::<D, T>(&self, [x, y, frame], domain, index, samples: &mut [[T; D]], convert)
+/// ```
 macro_rules! row_shape {
     (impl[$($generics:tt)*] $sampler:ty) => {
         impl<$($generics)*> $sampler {
-            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`, D = 1..4 numbers each: what their
+            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`, D = 1..8 numbers each: what their
             /// `pixel(..).draw_fx(domain, index)` return. Coordinates wrap after 2³²−1.
             #[inline]
             #[allow(clippy::too_many_arguments, reason = "a pixel and a draw")]
@@ -18,10 +21,11 @@ macro_rules! row_shape {
                 index: u32,
                 samples: &mut [[u32; D]],
             ) {
+                const { $crate::sampler::assert_dimensions(D) };
                 self.row([x, y, frame], domain, index, samples, |number| number);
             }
 
-            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`, D = 1..4 numbers each: what their
+            /// Sample `index` of the pixels (x, y), (x+1, y), … for purpose `domain`, D = 1..8 numbers each: what their
             /// `pixel(..).draw(domain, index)` return. Coordinates wrap after 2³²−1.
             #[inline]
             #[allow(clippy::too_many_arguments, reason = "a pixel and a draw")]
@@ -34,6 +38,7 @@ macro_rules! row_shape {
                 index: u32,
                 samples: &mut [[f32; D]],
             ) {
+                const { $crate::sampler::assert_dimensions(D) };
                 self.row([x, y, frame], domain, index, samples, $crate::unit::to_f32);
             }
         }

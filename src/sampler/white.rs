@@ -1,6 +1,6 @@
 //! The uncorrelated control: what every renderer has without this crate.
 
-use super::{Pair, call_shape, domain_seed, row_by_pixels, row_shape};
+use super::{Pair, call_shape, domain_seed, padded, row_by_pixels, row_shape};
 use crate::{hash, sobol};
 
 /// Owen-scrambled Sobol points under a seed of every pixel's own: little error in each pixel, spread as white noise.
@@ -61,6 +61,7 @@ impl Pair for WhitePair {
     }
 }
 
-call_shape!(impl[] WhitePixel, pair);
+padded!(impl[] WhitePixel, pair);
+call_shape!(impl[] WhitePixel);
 row_shape!(impl[] White);
 row_by_pixels!(impl[] White);

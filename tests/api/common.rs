@@ -54,18 +54,16 @@ macro_rules! for_every_sampler {
         let (seed, spp): (u32, u32) = ($seed, $spp);
         let dithered = bluedither::Dithered::with_masks(crate::common::scalar_mask(), crate::common::vector_mask(), seed);
         for_every_sampler! { @each |$name, $sampler| $body
-            "constant" => bluedither::Constant::with_spp(seed, spp),
             "white" => bluedither::White::with_spp(seed, spp),
             "linear order, progressive" => bluedither::Sampler::new(seed),
             "linear order" => bluedither::Sampler::with_spp(seed, spp),
             "global" => dithered,
+            "lattice" => dithered.on_lattice(),
             "single strata" => dithered.stratified_1d(spp),
             "strata" => dithered.stratified(spp),
-            "z-order" => bluedither::ZOrder::with_spp(seed, spp),
             "keys" => bluedither::Keyed::with_keys(crate::common::keys(), seed),
-            "rank 1" => bluedither::Rank1::with_mask(crate::common::vector_mask(), seed),
             #[cfg(feature = "lattice-64")]
-            "baked lattice" => bluedither::Rank1::with_spp(seed, spp),
+            "baked lattice" => bluedither::Dithered::lattice(seed),
             #[cfg(feature = "keys-64")]
             "baked keys" => bluedither::Keyed::with_spp(seed, spp),
             #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
@@ -85,6 +83,20 @@ macro_rules! for_every_sampler {
     };
 }
 pub(crate) use for_every_sampler;
+
+/// Calls `$body` with the constant `$D`, the numbers of a draw, at 1, 2, …, 8.
+macro_rules! for_every_length {
+    (|$D:ident| $body:block) => {
+        for_every_length! { @each |$D| $body 1 2 3 4 5 6 7 8 }
+    };
+    (@each |$D:ident| $body:block $($length:literal)*) => {
+        $({
+            const $D: usize = $length;
+            $body
+        })*
+    };
+}
+pub(crate) use for_every_length;
 
 /// Pearson's correlation.
 pub(crate) fn correlation(a: &[f64], b: &[f64]) -> f64 {

@@ -1,7 +1,7 @@
-//! The controls: White is white and Constant is constant.
+//! The control: White is white.
 
 use crate::common::{NO_CORRELATION, SIZE, correlation, image};
-use bluedither::{Constant, White};
+use bluedither::White;
 
 #[test]
 fn white_points_are_nets_of_their_own() {
@@ -36,16 +36,4 @@ fn white_is_uncorrelated_between_pixels_and_uniform() {
     let expected = f64::from(size * size) / 64.0;
     let chi2: f64 = count.iter().map(|&n| (f64::from(n) - expected).powi(2) / expected).sum();
     assert!((30.0..120.0).contains(&chi2), "{chi2}");
-}
-
-#[test]
-fn constant_is_the_same_everywhere() {
-    for (frame, domain, index) in [(0, 0, 0), (1, 2, 3), (u32::MAX, u32::MAX, u32::MAX)] {
-        let here = Constant::new(6).pixel(0, 0, frame).draw_fx::<4>(domain, index);
-        for (x, y) in [(1, 0), (0, 1), (1000, 77), (u32::MAX, u32::MAX)] {
-            assert_eq!(Constant::with_spp(6, 9).pixel(x, y, frame).draw_fx::<4>(domain, index), here);
-        }
-        assert_ne!(Constant::new(7).pixel(0, 0, frame).draw_fx::<4>(domain, index), here);
-        assert_ne!(Constant::new(6).pixel(0, 0, frame ^ 1).draw_fx::<4>(domain, index), here);
-    }
 }

@@ -14,27 +14,25 @@ fn domains_frames_and_components_are_decorrelated() {
             // pixels only: it takes many of them to see that nothing is left in the mean.
             let blocks = name.starts_with("linear order") && (spp == 1 || name.ends_with("progressive"));
             let size = if blocks { 512 } else { SIZE };
-            if name != "constant" {
-                // The baked masks are blue noise, whose neighbours a few pixels apart are related a little.
-                let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
-                let at = |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<2>(domain, index)[0]);
-                let single =
-                    |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<1>(domain, index)[0]);
-                let (pair_here, single_here) = (at(0, 0), single(0, 0));
-                for k in 1..=16 {
-                    for (what, other) in [("domain", (k, 0)), ("frame", (0, k))] {
-                        let r = correlation(&pair_here, &at(other.0, other.1));
-                        assert!(r.abs() < bound, "{name}, pair, {spp} spp, {what} {k}: {r}");
-                        let r = correlation(&single_here, &single(other.0, other.1));
-                        assert!(r.abs() < bound, "{name}, single, {spp} spp, {what} {k}: {r}");
-                    }
+            // The baked masks are blue noise, whose neighbours a few pixels apart are related a little.
+            let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
+            let at = |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<2>(domain, index)[0]);
+            let single = |domain, frame| image(size, |x, y| sampler.pixel(x, y, frame).draw_fx::<1>(domain, index)[0]);
+            let (pair_here, single_here) = (at(0, 0), single(0, 0));
+            for k in 1..=16 {
+                for (what, other) in [("domain", (k, 0)), ("frame", (0, k))] {
+                    let r = correlation(&pair_here, &at(other.0, other.1));
+                    assert!(r.abs() < bound, "{name}, pair, {spp} spp, {what} {k}: {r}");
+                    let r = correlation(&single_here, &single(other.0, other.1));
+                    assert!(r.abs() < bound, "{name}, single, {spp} spp, {what} {k}: {r}");
                 }
-                let component = |k: usize| image(size, |x, y| sampler.pixel(x, y, 0).draw_fx::<4>(0, index)[k]);
-                for a in 1..4 {
-                    for b in 0..a {
-                        let r = correlation(&component(a), &component(b));
-                        assert!(r.abs() < bound, "{name}, {spp} spp, components {a} and {b}: {r}");
-                    }
+            }
+            let component = |k: usize| image(size, |x, y| sampler.pixel(x, y, 0).draw_fx::<8>(0, index)[k]);
+            let components: [_; 8] = core::array::from_fn(component);
+            for a in 1..8 {
+                for b in 0..a {
+                    let r = correlation(&components[a], &components[b]);
+                    assert!(r.abs() < bound, "{name}, {spp} spp, components {a} and {b}: {r}");
                 }
             }
         });
@@ -77,33 +75,37 @@ fn samples_of_one_pixel_are_decorrelated() {
         for_every_sampler!(2, spp, |name, sampler| {
             assert_no_joint_structure(name, spp, |frame, domain, index| {
                 let pixel = sampler.pixel(1, 2, frame);
-                (pixel.draw_fx::<1>(domain, index), pixel.draw_fx::<4>(domain, index))
+                (pixel.draw_fx::<1>(domain, index), pixel.draw_fx::<8>(domain, index))
             });
         });
     }
 }
 
 /// The mean square correlation of pairs of series is what random orders have, 1/(n−1), or some two of it, which nets have.
-fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) -> ([u32; 1], [u32; 4])) {
-    let series = |frame, domain| -> [Vec<f64>; 5] {
+fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) -> ([u32; 1], [u32; 8])) {
+    let series = |frame, domain| -> [Vec<f64>; 9] {
         let all: Vec<_> = (0..spp).map(|index| draw(frame, domain, index)).collect();
         core::array::from_fn(|k| {
-            all.iter().map(|(single, four)| unit::to_f64(if k == 4 { single[0] } else { four[k] })).collect()
+            all.iter().map(|(single, all)| unit::to_f64(if k == 8 { single[0] } else { all[k] })).collect()
         })
     };
     let here = series(0, 0);
-    let mut squares = [0.0; 7];
+    let mut squares = [0.0; 11];
     const OTHERS: u32 = 400;
     for k in 1..=OTHERS {
         let (domain, frame) = (series(0, k), series(k, 0));
         let pairs = [
             (&here[0], &domain[0]),
             (&here[1], &domain[1]),
-            (&here[4], &domain[4]),
+            (&here[8], &domain[8]),
             (&here[0], &frame[0]),
-            (&here[4], &frame[4]),
+            (&here[8], &frame[8]),
             (&domain[0], &domain[2]),
             (&domain[1], &domain[3]),
+            (&domain[0], &domain[4]),
+            (&domain[2], &domain[6]),
+            (&domain[1], &domain[7]),
+            (&domain[4], &domain[6]),
         ];
         pairs.iter().zip(&mut squares).for_each(|((a, b), sum)| *sum += correlation(a, b).powi(2) / f64::from(OTHERS));
     }

@@ -27,7 +27,6 @@ mod dithered;
 mod draw_target;
 mod hard_cases;
 mod hash;
-mod keys_2019;
 mod lattice;
 mod linear;
 mod mask;
@@ -42,7 +41,6 @@ mod mask;
 ))]
 mod over_time;
 mod pattern;
-mod rank1;
 mod seeds;
 #[cfg(all(feature = "wgsl", feature = "threshold-64", feature = "offset-2d-64"))]
 mod shader;

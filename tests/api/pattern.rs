@@ -2,7 +2,7 @@
 #![cfg(feature = "pattern")]
 
 use bluedither::pattern::Pattern;
-use bluedither::{Constant, White};
+use bluedither::{Sampler, White};
 use proptest::prelude::*;
 
 #[test]
@@ -29,7 +29,7 @@ proptest! {
         for (index, point) in pattern.iter().enumerate() {
             prop_assert_eq!(*point, pixel.draw::<3>(domain, index as u32));
         }
-        let pixel = Constant::new(seed).pixel(x, y, frame);
+        let pixel = Sampler::new(seed).pixel(x, y, frame);
         let pattern: Pattern<1, 32> = pixel.pattern(domain, count);
         prop_assert!(pattern.iter().enumerate().all(|(index, point)| *point == pixel.draw::<1>(domain, index as u32)));
     }

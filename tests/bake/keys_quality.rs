@@ -11,7 +11,7 @@ use crate::analysis::random::Random;
 use crate::bake::recipe::Kind;
 use crate::baked;
 use crate::effort::Effort;
-use bluedither::{Keyed, Keys, Rank1, VectorMask, White, unit};
+use bluedither::{Dithered, Keyed, Keys, ScalarMask, VectorMask, White, unit};
 
 const SIZE: usize = 64;
 
@@ -73,7 +73,6 @@ fn check_keys(kind: Kind, effort: Effort, rows: &[(u32, [f64; 2])]) {
 #[test]
 fn keys_at_normal_effort() {
     check_keys(Kind::Keys, Effort::Normal, &[(1, [0.44, 0.59]), (4, [0.44, 0.635])]);
-    check_keys(Kind::Keys4, Effort::Normal, &[(4, [0.31, 0.60])]);
 }
 
 /// The weights of the keys' prefixes were picked while looking at the evaluation's integrands: on others, which were drawn
@@ -99,14 +98,14 @@ fn keys_do_as_well_on_integrands_that_nobody_looked_at() {
 #[ignore = "many samples: some ten seconds"]
 fn keys_at_many_samples() {
     check_keys(Kind::Keys, Effort::Normal, &[(16, [0.43, 0.765]), (64, [0.73, 0.73])]);
-    check_keys(Kind::Keys16, Effort::Normal, &[(16, [0.28, 0.64])]);
 }
 
 #[test]
 fn lattices_at_normal_effort() {
     let mask =
         VectorMask::<2, SIZE>::from_slice(&pairs(&baked(Kind::Lattice, Effort::Normal))).expect("ranks of a mask");
-    let sampler = Rank1::with_mask(&mask, 7);
+    let single = ScalarMask::new([[0; SIZE]; SIZE]); // not read by pairs
+    let sampler = Dithered::with_masks(&single, &mask, 7).on_lattice();
     check("lattice, normal", &[(1, [0.43, 0.58]), (4, [0.62, 0.74])], |x, y, i| {
         sampler.pixel(x, y, 1).draw_fx::<2>(3, i)
     });

@@ -24,7 +24,6 @@ mod linear_order;
 mod mask_quality;
 mod published_energy;
 mod rebake;
-mod scramble;
 mod sizes;
 mod void_and_cluster;
 

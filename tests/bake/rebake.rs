@@ -115,8 +115,6 @@ fn embedded() -> Vec<(&'static str, Vec<u16>)> {
     table!("offset-2d-128", "offset_2d_128", OFFSET_2D_128, vector);
     table!("keys-64", "keys_64", KEYS_64, keys);
     table!("keys-128", "keys_128", KEYS_128, keys);
-    table!("keys-64-spp-4", "keys_64_spp_4", KEYS_64_SPP_4, keys);
-    table!("keys-64-spp-16", "keys_64_spp_16", KEYS_64_SPP_16, keys);
     table!("lattice-64", "lattice_64", LATTICE_64, vector);
     table!("threshold-over-time-32", "threshold_over_time_32", THRESHOLD_OVER_TIME_32, frames);
     table!("threshold-over-time-64", "threshold_over_time_64", THRESHOLD_OVER_TIME_64, frames);

@@ -20,8 +20,6 @@ const BYTES: [(&str, usize); 26] = [
     ("offset-2d-128", 65_536),
     ("keys-64", 16_384),
     ("keys-128", 65_536),
-    ("keys-64-spp-4", 16_384),
-    ("keys-64-spp-16", 16_384),
     ("lattice-64", 16_384),
     ("threshold-over-time-32", 65_536),
     ("threshold-over-time-64", 131_072),

@@ -1,5 +1,4 @@
-//! Finds the constants of the linear pixel order and of [`zorder`](crate::zorder). Run by `tests/bake/linear_order.rs`, which
-//! freezes the former in `tables/`, and by `tests/bake/scramble.rs`.
+//! Finds the constants of the linear pixel order. Run by `tests/bake/linear_order.rs`, which freezes them in `tables/`.
 //!
 //! The points of all pixels of a block are sums modulo 2 of columns and a random digital shift, so that the error of an
 //! estimate is Σ f̂(c)·χ_c(shift)·χ_w(c)(pixel) over the characters c of the dual net: the pairs of digit sets that all
@@ -17,8 +16,6 @@
 //! 2. [`rows`]: these rows again, together with the columns of the progressive order;
 //! 3. [`anneal`]: sets of columns for each number of samples, whose mean spectrum must have no spikes.
 //!
-//! [`scramble`] is a search of its own, for rows that shifts can make and for squares of pixels along the Z curve.
-//!
 //! The training integrands are random half-planes and random smooth functions; the evaluation uses others, and nothing
 //! here is taken from it. All sums
 //! are in a fixed order and all functions libm's, so that the outcome is the same on every machine.
@@ -29,7 +26,6 @@ pub mod net;
 pub mod power;
 pub mod response;
 pub mod rows;
-pub mod scramble;
 
 use rayon::prelude::*;
 

@@ -2,10 +2,9 @@
 
 use super::input::Input;
 use bluedither::dither::{ordered, quantise};
-use bluedither::keys_2019::Tables2019;
 use bluedither::{
-    Dithered, Keyed, Keys, Rank1, Sampler, ScalarMask, VectorMask, White, ZOrder, candidate, lattice, shift, sobol,
-    strata, torus, unit,
+    Dithered, Keyed, Keys, Sampler, ScalarMask, VectorMask, White, candidate, lattice, shift, sobol, strata, torus,
+    unit,
 };
 
 static VECTOR: VectorMask<2, 2> = VectorMask::new([[[0, 3], [1, 2]], [[2, 1], [3, 0]]]);
@@ -46,14 +45,14 @@ pub(crate) fn samplers(input: &mut Input<'_>) {
     let length = input.length(17, 40);
     macro_rules! filled {
         ($sampler:expr) => {{
-            let (mut numbers, mut row) = ([[9; 3]; 40], [[9.0; 2]; 40]);
+            let (mut numbers, mut row) = ([[9; 7]; 40], [[9.0; 8]; 40]);
             let sampler = $sampler;
             sampler.pixel(x, y, frame).fill_fx(domain, index, &mut numbers[..length]);
             sampler.fill_row(x, y, frame, domain, index, &mut row[..length]);
             for k in 0..length.min(40) {
                 let step = k as u32;
-                let number = sampler.pixel(x, y, frame).draw_fx::<3>(domain, index.wrapping_add(step));
-                let of_row = sampler.pixel(x.wrapping_add(step), y, frame).draw::<2>(domain, index);
+                let number = sampler.pixel(x, y, frame).draw_fx::<7>(domain, index.wrapping_add(step));
+                let of_row = sampler.pixel(x.wrapping_add(step), y, frame).draw::<8>(domain, index);
                 assert_eq!((numbers[k], row[k]), (number, of_row));
                 assert!(row[k].iter().all(|v| (0.0..1.0).contains(v)));
             }
@@ -61,14 +60,13 @@ pub(crate) fn samplers(input: &mut Input<'_>) {
             assert_eq!(sampler.pixel(x, y, frame).pattern::<1, 8>(domain, spp).len(), spp.min(8) as usize);
         }};
     }
-    match input.byte() % 8 {
+    match input.byte() % 7 {
         0 => filled!(Sampler::with_spp(seed, spp)),
         1 => filled!(Sampler::new(seed)),
         2 => filled!(Dithered::with_masks(&SCALAR, &VECTOR, seed).stratified(spp)),
         3 => filled!(Dithered::with_masks(&SCALAR, &VECTOR, seed)),
-        4 => filled!(ZOrder::with_spp(seed, spp)),
+        4 => filled!(Dithered::with_masks(&SCALAR, &VECTOR, seed).on_lattice()),
         5 => filled!(Keyed::with_keys(&KEYS, seed)),
-        6 => filled!(Rank1::with_mask(&VECTOR, seed)),
         _ => filled!(White::with_spp(seed, spp)),
     }
 }
@@ -84,12 +82,6 @@ pub(crate) fn tables(input: &mut Input<'_>) {
     let keys = Keys::<4>::from_slice(&pairs);
     assert_eq!(keys.is_some(), pairs.len() == 16);
     _ = keys.map(|keys| keys.key(input.word(), input.word()));
-
-    static BYTES: [u8; 131_073] = [0x5a; 131_073];
-    let [a, b, c] = [65_536, 131_072, 131_072].map(|fit| input.length(fit, fit + 1));
-    let tables = Tables2019::from_slices(&BYTES[..a], &BYTES[..b], &BYTES[..c]);
-    assert_eq!(tables.is_some(), [a, b, c] == [65_536, 131_072, 131_072]);
-    _ = tables.map(|tables| tables.value(input.word(), input.word(), input.word(), input.word()));
 }
 
 /// Rows of best candidates beside rows that are shorter: no panic, and the same row whatever stood there.
