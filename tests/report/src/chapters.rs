@@ -9,8 +9,8 @@ use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
 use crate::{
-    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, several, singles,
-    time_part,
+    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, several,
+    singles, time_part,
 };
 
 /// The page's chapters, and files of numbers beside their tables.

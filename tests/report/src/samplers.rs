@@ -1,12 +1,12 @@
 //! The samplers that are measured: one line each.
 
 use crate::peers::{
-    Cycles, CyclesPixel, Heitz, HeitzPixel, JointSobol, JointSobolPixel, OpenQmc, OpenQmcPixel, Pbrt, PbrtPixel, Pcg, PcgPixel, Rand, RandPixel, RandomPattern,
-    RandomPatternPixel, SobolBurley, SobolBurleyPixel, SobolZ, SobolZPixel,
+    Cycles, CyclesPixel, Heitz, HeitzPixel, JointSobol, JointSobolPixel, OpenQmc, OpenQmcPixel, Pbrt, PbrtPixel, Pcg,
+    PcgPixel, Rand, RandPixel, RandomPattern, RandomPatternPixel, SobolBurley, SobolBurleyPixel, SobolZ, SobolZPixel,
 };
 use crate::shape::{Task, pixels, shapes};
-use bluedither::sampler::{DitheredPixel, KeyedPixel, LinearPixel, Rank1Pixel, WhitePixel, ZOrderPixel};
-use bluedither::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder, tables};
+use bluedither::sampler::{DitheredPixel, KeyedPixel, LinearPixel, WhitePixel};
+use bluedither::{Dithered, Keyed, Sampler, White, tables};
 use openqmc::{LatticeBnSampler, PmjBnSampler, SobolBnSampler};
 
 /// The control that all others are held against.
@@ -80,17 +80,13 @@ const OPENQMC: usize = 256 * 256 * 8;
 // Any expression of a type that is listed below; then the bytes of its tables, if it has any.
 samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),
-    "constant" => Constant::with_spp(seed, spp),
     "sampler" => Sampler::with_spp(seed, spp); LINEAR,
     "sampler-progressive" => Sampler::new(seed); LINEAR,
     "dithered" => Dithered::with_spp(seed, spp); MASKS,
     "dithered-progressive" => Dithered::new(seed); MASKS,
     "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp); MASKS,
-    "z-order" => ZOrder::with_spp(seed, spp),
     "keys" => Keyed::new(seed); KEYS,
-    "keys-spp-4" => Keyed::with_keys(&tables::KEYS_64_SPP_4, seed); KEYS,
-    "keys-spp-16" => Keyed::with_keys(&tables::KEYS_64_SPP_16, seed); KEYS,
-    "lattice" => Rank1::new(seed); size_of_val(&tables::LATTICE_64),
+    "lattice" => Dithered::lattice(seed); size_of_val(&tables::THRESHOLD_64) + size_of_val(&tables::LATTICE_64),
     "dithered-random" => RandomPattern::new(seed); OFFSETS,
     "pcg" => Pcg::new(seed),
     "rand" => Rand::new(seed),
@@ -107,12 +103,9 @@ samplers! { |seed, spp|
 
 shapes! {
     White, WhitePixel, rows;
-    Constant, WhitePixel, rows;
     Sampler, LinearPixel, rows;
     Dithered<'static>, DitheredPixel<'static>, rows;
-    ZOrder, ZOrderPixel, rows;
     Keyed<'static>, KeyedPixel<'static>, rows;
-    Rank1<'static>, Rank1Pixel<'static>, rows;
     RandomPattern, RandomPatternPixel;
     Pcg, PcgPixel;
     Rand, RandPixel;
@@ -128,8 +121,8 @@ shapes! {
 }
 
 pixels! {
-    WhitePixel; LinearPixel; DitheredPixel<'static>; ZOrderPixel; KeyedPixel<'static>;
-    Rank1Pixel<'static>; RandomPatternPixel; PcgPixel; RandPixel; JointSobolPixel; SobolBurleyPixel;
+    WhitePixel; LinearPixel; DitheredPixel<'static>; KeyedPixel<'static>;
+    RandomPatternPixel; PcgPixel; RandPixel; JointSobolPixel; SobolBurleyPixel;
     HeitzPixel; OpenQmcPixel<SobolBnSampler>; OpenQmcPixel<LatticeBnSampler>; OpenQmcPixel<PmjBnSampler>; CyclesPixel;
     PbrtPixel; SobolZPixel;
 }

@@ -22,18 +22,6 @@ pub trait Sampler: Sync {
     }
 }
 
-/// Eight numbers a sample.
-#[inline(always)]
-pub fn fill_8(pixel: impl Pixel, domain: u32, first: u32, points: &mut [[f32; 8]]) {
-    // Of two domains, as long as one has four.
-    let mut halves = [[0.0; 4]; 16];
-    for half in 0..2 {
-        let halves = &mut halves[..points.len()];
-        pixel.fill::<4>(2 * domain + half as u32, first, halves);
-        points.iter_mut().zip(halves).for_each(|(point, four)| point[4 * half..][..4].copy_from_slice(four));
-    }
-}
-
 /// A measurement, done with whichever sampler is chosen by name: `make(seed, spp)` is the sampler of one image.
 pub trait Task {
     type Output;

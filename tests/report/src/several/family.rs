@@ -77,10 +77,6 @@ impl Family {
     /// family of a single pair.
     pub fn weight(&self, k: usize) -> f64 {
         let edges_a_draw = 4;
-        if self.first == Id::SmoothPair.family().first && k < FIXED {
-            (EDGES / 4 / edges_a_draw) as f64
-        } else {
-            1.0
-        }
+        if self.first == Id::SmoothPair.family().first && k < FIXED { (EDGES / 4 / edges_a_draw) as f64 } else { 1.0 }
     }
 }

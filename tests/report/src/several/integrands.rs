@@ -96,8 +96,9 @@ impl Integrands {
             (normal, offset)
         });
 
-        let planes: Vec<[HalfPlane; 2]> =
-            (0..Id::Product.count()).map(|_| [0; 2].map(|_| HalfPlane::random(&mut random[Id::Product as usize]))).collect();
+        let planes: Vec<[HalfPlane; 2]> = (0..Id::Product.count())
+            .map(|_| [0; 2].map(|_| HalfPlane::random(&mut random[Id::Product as usize])))
+            .collect();
         let products = [0, 1].map(|half| {
             Ridges::new(|place| match planes.get(place) {
                 Some(both) => {

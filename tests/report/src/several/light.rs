@@ -1,8 +1,8 @@
 //! Direct light: a number picks one of two triangles, a pair the point on it; what arrives at a receiver that looks up,
 //! with or without a straight edge in the way.
 
-use crate::analysis::random::Random;
 use super::family::Id;
+use crate::analysis::random::Random;
 
 /// Receivers, each with its own two triangles.
 pub const COUNT: usize = Id::Light.count();

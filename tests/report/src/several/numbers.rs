@@ -28,7 +28,7 @@ impl Form {
     #[inline(always)]
     pub fn fill(self, pixel: impl Pixel, first: u32, points: &mut [[f32; 8]]) {
         match self {
-            Self::One => crate::shape::fill_8(pixel, 0, first, points),
+            Self::One => pixel.fill::<8>(0, first, points),
             Self::Several => {
                 let mut pairs = [[0.0; 2]; RUN];
                 for domain in 0..4 {

@@ -29,7 +29,12 @@ pub fn save(results: &Results, folder: &Path) -> Result<(), String> {
 /// What the pictures show, for the page.
 pub fn legend() -> String {
     let names: Vec<&str> = SHOWN.iter().map(|id| FAMILIES[*id as usize].name).collect();
-    format!("in folder several, {}, {} samples: {}", Form::BOTH.map(Form::name).join(" and "), COUNTS.map(|c| c.to_string()).join(", "), names.join(" · "))
+    format!(
+        "in folder several, {}, {} samples: {}",
+        Form::BOTH.map(Form::name).join(" and "),
+        COUNTS.map(|c| c.to_string()).join(", "),
+        names.join(" · ")
+    )
 }
 
 /// Mid grey where there is no error; black and white are three times white noise's root mean square.

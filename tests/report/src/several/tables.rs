@@ -83,7 +83,8 @@ pub fn harm(results: &Results) -> Vec<Table> {
                     if family.plain {
                         let place = [family.name.into(), cell.count.to_string(), sigma.to_string()];
                         let w = format!("{:.3} ±{:.0}", w.mean, (w.error * 1000.0).ceil());
-                        let row = [vec![(*name).to_string(), cell.form.name().into()], place.to_vec(), vec![w]].concat();
+                        let row =
+                            [vec![(*name).to_string(), cell.form.name().into()], place.to_vec(), vec![w]].concat();
                         harms.push(Harm { excess, row });
                     }
                 }
