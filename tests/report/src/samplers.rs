@@ -11,6 +11,8 @@ use openqmc::{LatticeBnSampler, PmjBnSampler, SobolBnSampler};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
+/// What this crate recommends, for known and unknown numbers of samples.
+pub const OURS: [&str; 2] = ["sampler", "sampler-progressive"];
 /// What is drawn fainter than the crate's own.
 pub const PEERS: [&str; 12] = [
     "dithered-random",

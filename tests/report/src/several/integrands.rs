@@ -134,7 +134,7 @@ impl Integrands {
         let light = Light::new(&mut random[Id::Light as usize]);
         let centre = vec![0.0; ALL];
         let mut all = Self { exact, centre, steps, products, xors, checkers, edges, smooth, light };
-        let found = all.integrate(POINTS);
+        let found = all.integrate(POINTS, seeds::INTEGRATION as u32);
         for id in [Id::Smooth5, Id::Smooth8, Id::Light] {
             let range = id.family().range();
             all.exact[range.clone()].copy_from_slice(&found[range]);
@@ -146,10 +146,9 @@ impl Integrands {
     }
 
     /// The mean of every integrand, less its centre, over points of a joint net.
-    pub fn integrate(&self, points: u32) -> Vec<f64> {
+    pub fn integrate(&self, points: u32, seed: u32) -> Vec<f64> {
         // Few enough for sums in f32.
         const RUN: u32 = 256;
-        let seed = seeds::INTEGRATION as u32;
         let run = |first: u32| {
             let mut sums = vec![0.0; ALL];
             (first..first + RUN).for_each(|index| self.add(&joint::point(index, seed), &mut sums));

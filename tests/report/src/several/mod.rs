@@ -4,13 +4,17 @@
 //! padded one loses both show. Texture is looked for in small windows of single error images, where no average hides it;
 //! every cell that is worse than white noise is listed.
 
+#[cfg(test)]
+mod checks;
 mod family;
+mod goals;
 mod half_space;
 mod integrands;
 mod light;
 mod measure;
 mod numbers;
 mod pictures;
+mod render;
 mod results;
 mod ridges;
 mod smooth;
@@ -31,9 +35,13 @@ pub fn chapter(arguments: &Arguments) -> Result<(Chapter, String), String> {
     let (counts, seeds) = if arguments.quick { (&QUICK[..], 3) } else { (&COUNTS[..], SEEDS) };
     let counts = arguments.spp().unwrap_or_else(|| counts.to_vec());
     let seeds = arguments.chosen_seeds().unwrap_or(seeds);
-    let results = Results::measure(&arguments.samplers_and_twins(), &counts, [arguments.seed, seeds]);
+    let (names, seeds_from) = (arguments.samplers_and_twins(), [arguments.seed, seeds]);
+    let results = Results::measure(&names, &counts, seeds_from);
     pictures::save(&results, &arguments.out.join("several"))?;
-    let mut tables = tables::error(&results, arguments.errors);
+    let rendered = render::measure(&names, &counts, seeds_from, if arguments.quick { 128 } else { 1024 });
+    let mut tables =
+        vec![goals::table(&results, &rendered), render::table(&rendered, &names, &counts, arguments.errors)];
+    tables.extend(tables::error(&results, arguments.errors));
     tables.extend(tables::spikes(&results));
     tables.extend(tables::harm(&results));
     let chapter = Chapter {

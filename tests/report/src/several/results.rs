@@ -12,7 +12,7 @@ use crate::samplers::WHITE;
 /// Standard deviations of the filters in pixels; the first is none.
 pub const SIGMAS: [f64; 5] = [0.0, 1.0, 2.1, 4.0, 8.0];
 /// The baseline has seeds of its own, and twice as many, so that white noise as a sampler is not compared with itself.
-const BASELINE: u32 = 0x4000_0000;
+pub const BASELINE: u32 = 0x4000_0000;
 
 /// A sampler at one number of samples, its numbers from one domain or several.
 #[derive(Debug)]

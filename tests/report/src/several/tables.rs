@@ -43,7 +43,26 @@ pub fn spikes(results: &Results) -> Vec<Table> {
             ..rows(results, form, cell)
         }
     };
-    Form::BOTH.map(of).to_vec()
+    let mut all = Form::BOTH.map(of).to_vec();
+    all.push(spikes_of_families(results));
+    all
+}
+
+/// The same of each family, numbers from one domain.
+fn spikes_of_families(results: &Results) -> Table {
+    let row = |(name, place): (&str, usize)| {
+        let cell = |cell: &Cell| cell.spikes[place].map(|spike| format!("{spike:.0}")).join(" ");
+        let cells = results.row(name, Form::One).iter().map(cell);
+        core::iter::once(format!("{name}: {}", FAMILIES[place].name)).chain(cells).collect()
+    };
+    let places = results.names.iter().flat_map(|name| (0..FAMILIES.len()).map(move |place| (*name, place)));
+    Table {
+        id: "several-spikes-families".into(),
+        title: "Local spike, by families".into(),
+        about: "Median and worst window over seeds and integrands, numbers from one domain.".into(),
+        rows: places.map(row).collect(),
+        ..rows(results, Form::One, |_| String::new())
+    }
 }
 
 /// One row a sampler, one column a number of samples.
