@@ -22,15 +22,15 @@ pub struct Arguments {
     #[arg(long)]
     pub quick: bool,
 
-    /// Samples per pixel of the part "several", a list [default: powers of two up to 64]
+    /// Samples per pixel of the parts "several" and "tracer", a list [default: powers of two, of four, up to 64]
     #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=4096))]
     spp: Vec<u32>,
 
-    /// Seeds of every error figure [default: 16, of the part "several" 8]
+    /// Seeds of every error figure [default: 16, of the parts "several" and "tracer" 8]
     #[arg(long, value_parser = clap::value_parser!(u32).range(2..=1024))]
     seeds: Option<u32>,
 
-    /// A standard error beside every figure of the part "several"
+    /// A standard error beside every figure of the parts "several" and "tracer"
     #[arg(long)]
     pub errors: bool,
 
@@ -85,8 +85,8 @@ pub enum Part {
     Dither,
     /// Several dimensions at once: families of integrands, local spikes, every cell that is worse than white noise
     Several,
-    /// Integrands of 4 and 8 dimensions, over domains
-    Domains,
+    /// A path tracer: direct light, two and five vertices; also through a reconstruction filter
+    Tracer,
     /// Edges that move over the screen
     Edges,
     /// The render example's scene, by what is sampled, and after a denoiser

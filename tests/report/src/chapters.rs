@@ -9,8 +9,8 @@ use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
 use crate::{
-    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, several,
-    singles, time_part,
+    builds, charts, classic, dither_part, edges, instructions, masks_part, scene_part, set_up, several, singles,
+    time_part, tracer_part,
 };
 
 /// The page's chapters, and files of numbers beside their tables.
@@ -84,9 +84,9 @@ pub fn measure(arguments: &Arguments) -> Result<Report, String> {
     if arguments.has(Part::Classic) {
         add("Classic integrands", "Of the literature, one by one.", classic::tables(&bench, &names, few));
     }
-    if arguments.has(Part::Domains) {
-        let text = "One integrand takes the numbers of several pairs and domains. 1: they decorrelate.";
-        add("Many dimensions", text, domains::tables(&names, few));
+    if arguments.has(Part::Tracer) {
+        let text = "A box, two spheres, a lamp. The numbers of a vertex are one domain, those of camera and first vertex together.";
+        add("A path tracer", text, tracer_part::tables(arguments));
     }
     if arguments.has(Part::Edges) {
         let text = "Dithering lives on neighbours that integrate nearly the same: how much of that is needed?";

@@ -19,7 +19,6 @@ mod checks;
 mod classic;
 mod denoise;
 mod dither_part;
-mod domains;
 mod edges;
 mod error_part;
 mod family;
@@ -62,6 +61,8 @@ mod singles;
 mod speed;
 mod table;
 mod time_part;
+mod tracer;
+mod tracer_part;
 #[cfg(test)]
 mod unbiased;
 #[path = "../../../src/bake/void_and_cluster.rs"]

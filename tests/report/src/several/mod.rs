@@ -23,7 +23,9 @@ mod tables;
 
 use crate::arguments::Arguments;
 use crate::page::{Chapter, escape};
+pub use results::BASELINE;
 use results::Results;
+pub use tables::number;
 
 /// Samples per pixel, if no others are asked for.
 const COUNTS: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];

@@ -36,7 +36,7 @@ pub fn measure(names: &[&'static str], counts: &[u32], [seed, seeds]: [u32; 2], 
     let [fine, coarse] = reference.filtered;
     let noise = [reference.error, fine, coarse].map(|error| f64::from(error).powi(2));
     let progress = Progress::new("rendering the scene", counts.iter().sum::<u32>() as usize * (1 + names.len()));
-    let of = |name: &str, spp: u32, first: u32| -> [Value; 3] {
+    let of = |name: &str, spp: u32, first: u32, seeds: u32| -> [Value; 3] {
         let one = |k: u32| {
             let render = Render { scene: &scene, dimensions: ALL_DIMENSIONS, spp, seed: first.wrapping_add(k) };
             let found = squares(&samplers::with(name, &render).minus(&reference.image));
@@ -48,9 +48,9 @@ pub fn measure(names: &[&'static str], counts: &[u32], [seed, seeds]: [u32; 2], 
     };
     let mut all = Vec::new();
     for &count in counts {
-        let white = of(WHITE, count, seed.wrapping_add(BASELINE));
+        let white = of(WHITE, count, seed.wrapping_add(BASELINE), 2 * seeds);
         for name in names {
-            let found = of(name, count, seed);
+            let found = of(name, count, seed, seeds);
             all.push(Rendered { name, count, w: core::array::from_fn(|k| root_of_ratio(found[k], white[k])) });
         }
     }
