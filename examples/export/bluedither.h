@@ -4,9 +4,9 @@
  * bluedither @version@, tables baked at @effort@ effort. Written by `cargo run -p export -- --lang c`: do not edit.
  *
  * Functions of the Rust crate bluedither, bit by bit the same, under the same names: `bd_`, the module or type, the name.
- * Here are the samplers Sampler, ZOrder, Keyed and White, and what they are made of; masks, also over time; shifts;
+ * Here are the samplers Sampler, Keyed and White, and what they are made of; masks, also over time; shifts;
  * thresholds of a mask, levels, and rows of 1 bit. What is not here is in the crate, and most of it in its WGSL: Dithered,
- * Rank1 and Constant, lattices, the rest of strata, other halftones and formats of pixels, seed permutation.
+ * lattices, the rest of strata, other halftones and formats of pixels, seed permutation.
  * Nothing but <stdint.h>; no memory, no state. Floats come from `draw` and `value` only, where no `_fx` follows.
  * Every argument of a function is defined; signed coordinates are cast to uint32_t, and tiles repeat. All is `static`: an
  * optimising compiler links a table with every source file that uses it, others with every one that includes this. So
@@ -141,8 +141,8 @@ static inline void bd_torus_offset(uint32_t seed, uint32_t domain, uint32_t pad,
                                    uint32_t out[2]) {
     const uint32_t x = bd_hash_mix(seed), y = bd_hash_mix(x);
     const uint32_t shift = size_log2 < 32 ? 32 - size_log2 : 0;
-    out[0] = x + domain * UINT32_C(0xc13fa9a9) + frame * UINT32_C(0x2780e141) + pad * UINT32_C(0xb3f5166e);
-    out[1] = y + domain * UINT32_C(0x91e10da5) + frame * UINT32_C(0xbc218b0d) + pad * UINT32_C(0x95a7a918);
+    out[0] = x + domain * UINT32_C(0xc13fa9a9) + frame * UINT32_C(0x2780e141) + pad * UINT32_C(0x70416dd8);
+    out[1] = y + domain * UINT32_C(0x91e10da5) + frame * UINT32_C(0xbc218b0d) + pad * UINT32_C(0x247e9a23);
     out[0] = shift < 32 ? out[0] >> shift : 0;
     out[1] = shift < 32 ? out[1] >> shift : 0;
 }
@@ -210,7 +210,7 @@ static inline uint32_t bd_directions_owen(bd_directions_t directions, uint32_t i
     return bd_hash_owen(bd_directions_dimension(directions, shuffled, dimension), scramble);
 }
 
-/* ---- zorder: pixels along a Z curve, and the sequence that they share ---- */
+/* ---- zorder: pixels along a Z curve ---- */
 
 /* The Morton code of the lower 16 bits of both: bit k of x is bit 2k, bit k of y bit 2k+1. */
 static inline uint32_t bd_zorder_morton_16(uint32_t x, uint32_t y) {
@@ -220,43 +220,6 @@ static inline uint32_t bd_zorder_morton_16(uint32_t x, uint32_t y) {
     n = (n | n << 2) & UINT64_C(0x3333333333333333);
     n = (n | n << 1) & UINT64_C(0x5555555555555555);
     return (uint32_t)(n | n >> 31);
-}
-
-/* Where a place of the curve, bit-reversed, begins: its sample i is bd_zorder_point of bd_zorder_first_index ^ i, and the
- * samples of a square of pixels are a net together, for every power of two of them. */
-static inline uint32_t bd_zorder_first_index(uint32_t place_rev) {
-    uint32_t n = place_rev, b;
-    b = n & UINT32_C(0xcccccccc);
-    n ^= b >> 1 ^ b >> 2;
-    b = n & UINT32_C(0xf0f0f0f0);
-    n ^= b >> 2 ^ b >> 4;
-    b = n & UINT32_C(0xff00ff00);
-    n ^= b >> 4 ^ b >> 8;
-    b = n & UINT32_C(0xffff0000);
-    return n ^ b >> 8 ^ b >> 16;
-}
-
-/* bd_zorder_point of a bit-reversed index, both numbers in one word, the first in the upper half. */
-static inline uint64_t bd_zorder_packed_rev(uint32_t index_rev) {
-    uint32_t n = index_rev;
-    uint64_t word;
-    n ^= n << 1 & UINT32_C(0xaaaaaaaa);
-    n ^= n << 2 & UINT32_C(0xcccccccc);
-    n ^= n << 4 & UINT32_C(0xf0f0f0f0);
-    n ^= n << 8 & UINT32_C(0xff00ff00);
-    n ^= n << 16;
-    word = (uint64_t)index_rev << 32 | n;
-    word ^= word >> 1 & UINT64_C(0x53be4322298af328);
-    word ^= word >> 2 & UINT64_C(0x2ff4b33a17efc464);
-    word ^= word >> 4 & UINT64_C(0x03ffe2f7099fe007);
-    return word ^ (word >> 8 & UINT64_C(0x00a5ffec00edffd3));
-}
-
-/* Point `index` of the sequence that pixels share, 0.32 fixed point: a linear one. */
-static inline void bd_zorder_point(uint32_t index, uint32_t out[2]) {
-    const uint64_t word = bd_zorder_packed_rev(bd_hash_reverse_bits(index));
-    out[0] = (uint32_t)(word >> 32);
-    out[1] = (uint32_t)word;
 }
 
 /* ---- strata: the unit interval or square in `count` cells of equal size, any count; 0 counts as 1 ---- */
@@ -421,69 +384,63 @@ static inline void bd_dither_gray1_row(bd_scalar_mask_t mask, uint32_t y, uint32
 
 /* ---- what all samplers share ---- */
 
-/* A domain of its own for a second pair of dimensions. */
-static inline uint32_t bd_domain_padded(uint32_t domain, uint32_t pad) {
+/* A number for every pair of every domain. */
+static inline uint32_t bd_domain_own(uint32_t domain, uint32_t pad) {
     return domain ^ pad * UINT32_C(0x5bd1e995);
 }
 
 /* The 64 bits of a domain's own. */
 static inline uint64_t bd_domain_word(uint64_t seed, uint32_t domain, uint32_t pad) {
-    return seed * (bd_hash_mix_64(bd_domain_padded(domain, pad)) | 1);
+    return seed * (bd_hash_mix_64(bd_domain_own(domain, pad)) | 1);
 }
 
-/* Sample `index` for purpose `domain`: one to four numbers, `_fx` or in [0, 1). From two on, the first two are the
- * optimised pair of the domain, the others a padded second pair. */
+/* The first `count` numbers of a domain at an index, by the points of its four pairs, two numbers each. */
+#define BD_PADDED(sampler)                                                                                             \
+    static inline void sampler##_numbers(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,              \
+                                         uint32_t count, uint32_t *out) {                                              \
+        const uint32_t index_rev = bd_hash_reverse_bits(index);                                                        \
+        uint32_t k, point[2];                                                                                          \
+        for (k = 0; k < count; k += 2) {                                                                               \
+            sampler##_point(pixel, domain, k / 2, index_rev, point);                                                   \
+            out[k] = point[0];                                                                                         \
+            if (k + 1 < count) {                                                                                       \
+                out[k + 1] = point[1];                                                                                 \
+            }                                                                                                          \
+        }                                                                                                              \
+    }
+
+/* `n` numbers, two to eight. */
+#define BD_DRAW(sampler, n)                                                                                            \
+    static inline void sampler##_draw##n##_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,         \
+                                              uint32_t out[n]) {                                                       \
+        sampler##_numbers(pixel, domain, index, n, out);                                                               \
+    }                                                                                                                  \
+    static inline void sampler##_draw##n(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,              \
+                                         float out[n]) {                                                               \
+        uint32_t fx[n], k;                                                                                             \
+        sampler##_numbers(pixel, domain, index, n, fx);                                                                \
+        for (k = 0; k < n; k++) {                                                                                      \
+            out[k] = bd_unit_to_f32(fx[k]);                                                                            \
+        }                                                                                                              \
+    }
+
+/* Sample `index` for purpose `domain`: one to eight numbers, `_fx` or in [0, 1). Numbers 2k and 2k+1 are an own pair. */
 #define BD_CALL_SHAPE(sampler)                                                                                         \
     static inline uint32_t sampler##_draw1_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index) {       \
-        uint32_t point[2];                                                                                             \
-        sampler##_point(pixel, domain, 0, bd_hash_reverse_bits(index), point);                                         \
-        return point[0];                                                                                               \
-    }                                                                                                                  \
-    static inline void sampler##_draw2_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,             \
-                                          uint32_t out[2]) {                                                           \
-        sampler##_point(pixel, domain, 0, bd_hash_reverse_bits(index), out);                                           \
-    }                                                                                                                  \
-    static inline void sampler##_draw4_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,             \
-                                          uint32_t out[4]) {                                                           \
-        const uint32_t index_rev = bd_hash_reverse_bits(index);                                                        \
-        sampler##_point(pixel, domain, 0, index_rev, out);                                                             \
-        sampler##_point(pixel, domain, 1, index_rev, out + 2);                                                         \
-    }                                                                                                                  \
-    static inline void sampler##_draw3_fx(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,             \
-                                          uint32_t out[3]) {                                                           \
-        uint32_t all[4];                                                                                               \
-        sampler##_draw4_fx(pixel, domain, index, all);                                                                 \
-        out[0] = all[0];                                                                                               \
-        out[1] = all[1];                                                                                               \
-        out[2] = all[2];                                                                                               \
+        uint32_t number;                                                                                               \
+        sampler##_numbers(pixel, domain, index, 1, &number);                                                           \
+        return number;                                                                                                 \
     }                                                                                                                  \
     static inline float sampler##_draw1(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index) {             \
         return bd_unit_to_f32(sampler##_draw1_fx(pixel, domain, index));                                               \
     }                                                                                                                  \
-    static inline void sampler##_draw2(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,                \
-                                       float out[2]) {                                                                 \
-        uint32_t fx[2];                                                                                                \
-        sampler##_draw2_fx(pixel, domain, index, fx);                                                                  \
-        out[0] = bd_unit_to_f32(fx[0]);                                                                                \
-        out[1] = bd_unit_to_f32(fx[1]);                                                                                \
-    }                                                                                                                  \
-    static inline void sampler##_draw3(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,                \
-                                       float out[3]) {                                                                 \
-        uint32_t fx[3];                                                                                                \
-        sampler##_draw3_fx(pixel, domain, index, fx);                                                                  \
-        out[0] = bd_unit_to_f32(fx[0]);                                                                                \
-        out[1] = bd_unit_to_f32(fx[1]);                                                                                \
-        out[2] = bd_unit_to_f32(fx[2]);                                                                                \
-    }                                                                                                                  \
-    static inline void sampler##_draw4(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,                \
-                                       float out[4]) {                                                                 \
-        uint32_t fx[4];                                                                                                \
-        sampler##_draw4_fx(pixel, domain, index, fx);                                                                  \
-        out[0] = bd_unit_to_f32(fx[0]);                                                                                \
-        out[1] = bd_unit_to_f32(fx[1]);                                                                                \
-        out[2] = bd_unit_to_f32(fx[2]);                                                                                \
-        out[3] = bd_unit_to_f32(fx[3]);                                                                                \
-    }
+    BD_DRAW(sampler, 2)                                                                                                \
+    BD_DRAW(sampler, 3)                                                                                                \
+    BD_DRAW(sampler, 4)                                                                                                \
+    BD_DRAW(sampler, 5)                                                                                                \
+    BD_DRAW(sampler, 6)                                                                                                \
+    BD_DRAW(sampler, 7)                                                                                                \
+    BD_DRAW(sampler, 8)
 
 /* ---- linear: the columns of the linear pixel order ---- */
 
@@ -585,51 +542,8 @@ static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t do
     out[1] = point[1 - swapped];
 }
 
+BD_PADDED(bd_sampler)
 BD_CALL_SHAPE(bd_sampler)
-
-/* ---- z_order: Ahmed and Wonka 2020, progressive, no table ---- */
-
-typedef struct {
-    uint32_t seed;
-} bd_z_order_t;
-
-typedef struct {
-    uint64_t seed;
-    uint32_t place_rev;
-} bd_z_order_pixel_t;
-
-static inline bd_z_order_t bd_z_order_new(uint32_t seed) {
-    bd_z_order_t sampler;
-    sampler.seed = seed;
-    return sampler;
-}
-
-/* The same: the number of samples makes no difference. */
-static inline bd_z_order_t bd_z_order_with_spp(uint32_t seed, uint32_t spp) {
-    (void)spp;
-    return bd_z_order_new(seed);
-}
-
-static inline bd_z_order_pixel_t bd_z_order_pixel(bd_z_order_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
-    const uint32_t block = x >> 16 | (y & UINT32_C(0xffff0000));
-    bd_z_order_pixel_t pixel;
-    pixel.seed = bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame) ^ block * UINT64_C(0x9e3779b97f4a7c15);
-    pixel.place_rev = bd_hash_laine_karras_4(bd_hash_reverse_bits(bd_zorder_morton_16(x, y)), (uint32_t)pixel.seed);
-    return pixel;
-}
-
-static inline void bd_z_order_point(const bd_z_order_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
-                                    uint32_t out[2]) {
-    const uint64_t shift = bd_domain_word(pixel->seed, domain, pad);
-    const uint32_t place_rev = bd_hash_laine_karras(pixel->place_rev, (uint32_t)(shift >> 16));
-    const uint32_t own_rev = bd_hash_shuffle_rev(index_rev, bd_hash_other(place_rev));
-    const uint32_t first_rev = bd_hash_reverse_bits(bd_zorder_first_index(place_rev));
-    const uint64_t point = bd_zorder_packed_rev(own_rev ^ first_rev) ^ shift;
-    out[0] = (uint32_t)(point >> 32);
-    out[1] = (uint32_t)point;
-}
-
-BD_CALL_SHAPE(bd_z_order)
 
 /* ---- keyed: scrambling keys of a tile (Heitz et al. 2019) ---- */
 
@@ -677,7 +591,7 @@ static inline void bd_keyed_point(const bd_keyed_pixel_t *pixel, uint32_t domain
                                   uint32_t out[2]) {
     const bd_keyed_t sampler = pixel->sampler;
     const uint32_t order =
-        bd_hash_combine(bd_hash_combine(sampler.seed, bd_domain_padded(domain, pad)), pixel->frame);
+        bd_hash_combine(bd_hash_combine(sampler.seed, bd_domain_own(domain, pad)), pixel->frame);
     const uint32_t low = bd_hash_mix(order); /* the lower digits are the domain's */
     uint32_t place[2], key[2];
     bd_torus_offset(sampler.seed, domain, pad, pixel->frame, sampler.keys.size_log2, place);
@@ -687,6 +601,7 @@ static inline void bd_keyed_point(const bd_keyed_pixel_t *pixel, uint32_t domain
     out[1] ^= key[1] | (low & 0xffff);
 }
 
+BD_PADDED(bd_keyed)
 BD_CALL_SHAPE(bd_keyed)
 
 /* ---- white: Owen-scrambled points, a seed for every pixel; for comparison ---- */
@@ -720,15 +635,18 @@ static inline bd_white_pixel_t bd_white_pixel(bd_white_t sampler, uint32_t x, ui
 
 static inline void bd_white_point(const bd_white_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
                                   uint32_t out[2]) {
-    const uint32_t seed = bd_hash_combine(pixel->seed, bd_domain_padded(domain, pad));
+    const uint32_t seed = bd_hash_combine(pixel->seed, bd_domain_own(domain, pad));
     bd_sobol_owen_point(bd_hash_reverse_bits(bd_hash_shuffle_rev(index_rev, seed)), seed, out);
 }
 
+BD_PADDED(bd_white)
 BD_CALL_SHAPE(bd_white)
 
 /* ---- tables ---- */
 
 @tables@
 #undef BD_CALL_SHAPE
+#undef BD_DRAW
+#undef BD_PADDED
 
 #endif /* BLUEDITHER_H */

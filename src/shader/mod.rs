@@ -3,7 +3,7 @@
 //! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`
 //! (constants with `BD_`), then come the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
 //! `bd_sampler_pixel(sampler, x, y, frame)`, and another sampler is another word, as in Rust. `draw::<2>` is `draw2`;
-//! `[u32; 2]` is `vec2<u32>`; `u64` is `vec2<u32>`, its lower half first. The bits are the same.
+//! `[u32; 2]` is `vec2<u32>`, and so up to four; `[u32; 5]` is `array<u32, 5>`; `u64` is `vec2<u32>`, its lower half first. The bits are the same.
 //!
 //! A text reads its table by a function that it leaves to you, as its head says. Write it, or take one of a [`Table`],
 //! for a storage buffer or a texture:
@@ -36,18 +36,18 @@
 //! `bd_gamma_level` of a pixel's threshold; of several numbers some functions have a form for each count (`to_f32s2`,
 //! `global3`).
 
+mod draws;
 mod table;
 mod words;
 
 pub use table::{
-    DIRECTION_NUMBERS, KEYS_TILE, LATTICE_MASK, LINEAR_LIGHT, LINEAR_ORDER, RANKING_2019, SCALAR_MASK, SCRAMBLING_2019,
-    SEED_SWAPS, SOBOL_2019, TIME_MASK, Table, VECTOR_MASK,
+    DIRECTION_NUMBERS, KEYS_TILE, LINEAR_LIGHT, LINEAR_ORDER, SCALAR_MASK, SEED_SWAPS, TIME_MASK, Table, VECTOR_MASK,
 };
 #[cfg(feature = "gamma")]
 pub use words::linear_light_words;
 #[cfg(feature = "seed-permutation")]
 pub use words::seed_swap_words;
-pub use words::{byte_words, direction_words, keys_words, linear_order_words, scalar_words, time_words, vector_words};
+pub use words::{direction_words, keys_words, linear_order_words, scalar_words, time_words, vector_words};
 
 /// Texts that go together: a set of modules that holds all that each of them needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,17 +77,26 @@ impl Parts {
 }
 
 /// A constant for each module, which is a bit of [`Parts`], in the order of the list; needs stand above what needs
-/// them.
+/// them. Behind a sampler's own text come its draws, by a template and under its name and title.
 macro_rules! modules {
-    ($($(#[$doc:meta])* $name:ident $file:literal [$($need:ident)*])*) => {
+    ($($(#[$doc:meta])* $name:ident $file:literal $(($template:ident $word:literal $title:literal))? [$($need:ident)*])*) => {
         #[allow(clippy::upper_case_acronyms, non_camel_case_types, reason = "names of the constants below")]
         enum Bit { $($name),* }
         $($(#[$doc])* pub const $name: Parts = Parts(1 << Bit::$name as u64 $(| $need.0)*);)*
         /// Everything.
         pub const ALL: Parts = Parts(0 $(| $name.0)*);
         static MODULES: [(&str, &str); ALL.0.count_ones() as usize] =
-            [$(($file, include_str!(concat!("../wgsl/", $file, ".wgsl")))),*];
+            [$(($file, modules!(@text include_str!(concat!("../wgsl/", $file, ".wgsl")), $($template $word $title)?))),*];
     };
+    (@text $own:expr,) => {
+        $own
+    };
+    (@text $own:expr, $template:ident $word:literal $title:literal) => {{
+        const TEXTS: [&str; 3] = [$own, draws::$template, draws::FLOATS];
+        const LENGTH: usize = draws::paste::<0>(TEXTS, $word, $title).1;
+        static PASTED: [u8; LENGTH] = draws::paste(TEXTS, $word, $title).0;
+        draws::text(&PASTED)
+    }};
 }
 
 modules! {
@@ -107,7 +116,7 @@ modules! {
     LATTICE "lattice" [WIDE]
     /// [`linear`](crate::linear): `bd_linear_…`; reads [`LINEAR_ORDER`].
     LINEAR "linear" []
-    /// [`zorder`](crate::zorder), the curve and its sequence: `bd_zorder_…`. (The sampler is [`Z_ORDER`].)
+    /// [`zorder`](crate::zorder): `bd_zorder_…`.
     ZORDER "zorder" []
     /// [`strata`](crate::strata): `bd_strata_…`.
     STRATA "strata" [HASH]
@@ -121,25 +130,16 @@ modules! {
     VECTOR "mask/vector" [MASK UNIT]
     /// [`Keys`](crate::Keys): `bd_keys_…`; reads [`KEYS_TILE`].
     KEYS "keys" []
-    /// [`keys_2019`](crate::keys_2019): `bd_keys_2019_…`; reads [`SOBOL_2019`], [`SCRAMBLING_2019`] and
-    /// [`RANKING_2019`].
-    KEYS_2019 "keys_2019" [UNIT]
     /// What samplers share: `bd_domain_…`.
     DOMAIN "sampler/mod" [HASH]
     /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`LINEAR_ORDER`].
-    SAMPLER "sampler/linear" [DOMAIN LINEAR UNIT]
-    /// [`ZOrder`](crate::ZOrder), the sampler: `bd_z_order_…`. (The curve is [`ZORDER`].)
-    Z_ORDER "sampler/zorder" [DOMAIN ZORDER UNIT]
+    SAMPLER "sampler/linear" (PADDED "sampler" "Sampler") [DOMAIN LINEAR UNIT]
     /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
-    KEYED "sampler/keyed" [DOMAIN KEYS LINEAR TORUS UNIT]
-    /// [`Rank1`](crate::Rank1): `bd_rank1_…`; reads [`LATTICE_MASK`].
-    RANK1 "sampler/rank1" [DOMAIN MASK TORUS UNIT]
+    KEYED "sampler/keyed" (PADDED "keyed" "Keyed") [DOMAIN KEYS LINEAR TORUS UNIT]
     /// [`Dithered`](crate::Dithered): `bd_dithered_…`; reads [`SCALAR_MASK`] and [`VECTOR_MASK`].
-    DITHERED "sampler/dithered" [DOMAIN SCALAR VECTOR SHIFT SOBOL TORUS]
+    DITHERED "sampler/dithered" (PADDED "dithered" "Dithered") [DOMAIN SCALAR VECTOR SHIFT SOBOL TORUS]
     /// [`White`](crate::White): `bd_white_…`.
-    WHITE "sampler/white" [DOMAIN SOBOL UNIT]
-    /// [`Constant`](crate::Constant): `bd_constant_…`.
-    CONSTANT "sampler/constant" [WHITE]
+    WHITE "sampler/white" (PADDED "white" "White") [DOMAIN SOBOL UNIT]
     /// [`dither::quantise`](crate::dither::quantise): `bd_quantise_…`.
     QUANTISE "dither/quantise" [WIDE]
     /// [`dither::ordered`](crate::dither::ordered): `bd_ordered_…`.

@@ -94,17 +94,6 @@ macro_rules! pairs {
     };
 }
 
-/// Bytes in a list, four a word; a texture of 2^`$width_log2` a row.
-macro_rules! bytes {
-    ($binding:literal $name:literal $width_log2:literal) => {
-        table!(
-            $binding $name "r8uint", &[], "(i: u32) -> u32",
-            concat!("(", $name, "[i >> 2u] >> ((i & 3u) * 8u)) & 0xffu"),
-            concat!("textureLoad(", $name, ", vec2<u32>(i % (1u << ", $width_log2, "), i >> ", $width_log2, "), 0).r")
-        )
-    };
-}
-
 /// `const NAME = number;` for every size.
 macro_rules! sizes {
     ($name:literal) => { sizes!($name: 0 1 2 3 4 5 6 7 8) };
@@ -123,9 +112,6 @@ pub const SCALAR_MASK: Table = ranks!(1 "bd_scalar" "BD_SCALAR_LOG2", sizes!("BD
 
 /// A mask of two channels, [`vector_words`](super::vector_words): a texture of the mask's size.
 pub const VECTOR_MASK: Table = pairs!(2 "bd_vector" "BD_VECTOR_LOG2");
-
-/// The mask of [`Rank1`](crate::Rank1), [`vector_words`](super::vector_words): a texture of the mask's size.
-pub const LATTICE_MASK: Table = pairs!(3 "bd_rank1" "BD_RANK1_LOG2");
 
 /// Scrambling keys, [`keys_words`](super::keys_words): a texture of the tile's size.
 pub const KEYS_TILE: Table = table!(
@@ -156,13 +142,3 @@ pub const LINEAR_LIGHT: Table = table!(
 
 /// Swaps of seeds, `seed_swap_words`: a texture of 64×64.
 pub const SEED_SWAPS: Table = ranks!(8 "bd_seeds" "6u", &[]);
-
-/// `sobol` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of 256×256.
-pub const SOBOL_2019: Table = bytes!(9 "bd_sobol_2019" "8u");
-
-/// `scrambling` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of
-/// 1024×128.
-pub const SCRAMBLING_2019: Table = bytes!(10 "bd_scrambling_2019" "10u");
-
-/// `ranking` of [`Tables2019`](crate::keys_2019::Tables2019), [`byte_words`](super::byte_words): a texture of 1024×128.
-pub const RANKING_2019: Table = bytes!(11 "bd_ranking_2019" "10u");

@@ -26,8 +26,7 @@ pub fn scalar_words<const S: usize>(mask: &ScalarMask<S>) -> impl Iterator<Item 
     pairs(mask.ranks().as_flattened())
 }
 
-/// The ranks of a mask of two channels, a pixel a word, for [`VECTOR_MASK`](super::VECTOR_MASK) and
-/// [`LATTICE_MASK`](super::LATTICE_MASK).
+/// The ranks of a mask of two channels, a pixel a word, for [`VECTOR_MASK`](super::VECTOR_MASK).
 pub fn vector_words<const S: usize>(mask: &VectorMask<2, S>) -> impl Iterator<Item = u32> + Clone {
     pairs(mask.ranks().as_flattened().as_flattened())
 }
@@ -60,11 +59,6 @@ pub fn linear_light_words() -> impl Iterator<Item = u32> + Clone {
 #[cfg(feature = "seed-permutation")]
 pub fn seed_swap_words() -> impl Iterator<Item = u32> + Clone {
     pairs(crate::tables::SEED_PERMUTATION.codes().as_flattened())
-}
-
-/// Bytes, four a word, for the tables of 2019.
-pub fn byte_words(bytes: &[u8]) -> impl Iterator<Item = u32> + Clone {
-    bytes.chunks(4).map(|bytes| bytes.iter().rev().fold(0, |word, &byte| word << 8 | u32::from(byte)))
 }
 
 /// Two numbers a word; an odd last one stands alone.

@@ -13,7 +13,7 @@ fn bd_torus_offset(seed: u32, domain: u32, pad: u32, frame: u32, size_log2: u32)
     var place = vec2<u32>(start, bd_hash_mix(start));
     place += domain * vec2<u32>(0xc13fa9a9u, 0x91e10da5u);
     place += frame * vec2<u32>(0x2780e141u, 0xbc218b0du);
-    place += pad * vec2<u32>(0xb3f5166eu, 0x95a7a918u);
+    place += pad * vec2<u32>(0x70416dd8u, 0x247e9a23u);
     // The place in the tile is in the upper bits; a tile of one pixel has none.
     let bits = min(size_log2, 32u);
     return select((place >> vec2<u32>((32u - bits) & 31u)), vec2<u32>(0u), bits == 0u);

@@ -17,6 +17,29 @@ fn bd_unit_to_f32s4(values_fx: vec4<u32>) -> vec4<f32> {
     return vec4<f32>(values_fx >> vec4<u32>(8u)) * 0x1p-24f;
 }
 
+fn bd_unit_to_f32s5(values_fx: array<u32, 5>) -> array<f32, 5> {
+    let a = bd_unit_to_f32s4(vec4<u32>(values_fx[0], values_fx[1], values_fx[2], values_fx[3]));
+    return array<f32, 5>(a.x, a.y, a.z, a.w, bd_unit_to_f32(values_fx[4]));
+}
+
+fn bd_unit_to_f32s6(values_fx: array<u32, 6>) -> array<f32, 6> {
+    let a = bd_unit_to_f32s4(vec4<u32>(values_fx[0], values_fx[1], values_fx[2], values_fx[3]));
+    let b = bd_unit_to_f32s2(vec2<u32>(values_fx[4], values_fx[5]));
+    return array<f32, 6>(a.x, a.y, a.z, a.w, b.x, b.y);
+}
+
+fn bd_unit_to_f32s7(values_fx: array<u32, 7>) -> array<f32, 7> {
+    let a = bd_unit_to_f32s4(vec4<u32>(values_fx[0], values_fx[1], values_fx[2], values_fx[3]));
+    let b = bd_unit_to_f32s3(vec3<u32>(values_fx[4], values_fx[5], values_fx[6]));
+    return array<f32, 7>(a.x, a.y, a.z, a.w, b.x, b.y, b.z);
+}
+
+fn bd_unit_to_f32s8(values_fx: array<u32, 8>) -> array<f32, 8> {
+    let a = bd_unit_to_f32s4(vec4<u32>(values_fx[0], values_fx[1], values_fx[2], values_fx[3]));
+    let b = bd_unit_to_f32s4(vec4<u32>(values_fx[4], values_fx[5], values_fx[6], values_fx[7]));
+    return array<f32, 8>(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+}
+
 // The fixed-point number of a float: clamped to [0, 1), NaN to 0, rounded down. By its bits, since what a conversion
 // makes of a float that is out of range differs between languages.
 fn bd_unit_from_f32(value: f32) -> u32 {

@@ -6,7 +6,7 @@ use bluedither::shader::{self, Parts, Table};
 use bluedither::tables::{LINEAR_ORDER, OFFSET_2D_64, THRESHOLD_64};
 use bluedither::{ScalarMask, VectorMask, torus};
 
-const PARTS: [(&str, Parts); 32] = [
+const PARTS: [(&str, Parts); 28] = [
     ("unit", shader::UNIT),
     ("wide", shader::WIDE),
     ("hash", shader::HASH),
@@ -22,15 +22,11 @@ const PARTS: [(&str, Parts); 32] = [
     ("mask/scalar", shader::SCALAR),
     ("mask/vector", shader::VECTOR),
     ("keys", shader::KEYS),
-    ("keys_2019", shader::KEYS_2019),
     ("sampler/mod", shader::DOMAIN),
     ("sampler/linear", shader::SAMPLER),
-    ("sampler/zorder", shader::Z_ORDER),
     ("sampler/keyed", shader::KEYED),
-    ("sampler/rank1", shader::RANK1),
     ("sampler/dithered", shader::DITHERED),
     ("sampler/white", shader::WHITE),
-    ("sampler/constant", shader::CONSTANT),
     ("dither/quantise", shader::QUANTISE),
     ("dither/ordered", shader::ORDERED),
     ("dither/gamma", shader::GAMMA),
@@ -41,19 +37,15 @@ const PARTS: [(&str, Parts); 32] = [
     ("frames/seeds_pass", shader::SEEDS_PASS),
 ];
 
-const TABLES: [Table; 12] = [
+const TABLES: [Table; 8] = [
     shader::LINEAR_ORDER,
     shader::SCALAR_MASK,
     shader::VECTOR_MASK,
-    shader::LATTICE_MASK,
     shader::KEYS_TILE,
     shader::DIRECTION_NUMBERS,
     shader::TIME_MASK,
     shader::LINEAR_LIGHT,
     shader::SEED_SWAPS,
-    shader::SOBOL_2019,
-    shader::SCRAMBLING_2019,
-    shader::RANKING_2019,
 ];
 
 /// Text without comments.
@@ -162,7 +154,6 @@ fn words_are_little_endian_bytes() {
     assert_eq!(bytes(shader::scalar_words(&THRESHOLD_64).collect()), scalar.collect::<Vec<_>>());
     let vector = OFFSET_2D_64.ranks().as_flattened().as_flattened().iter().flat_map(|rank| rank.to_le_bytes());
     assert_eq!(bytes(shader::vector_words(&OFFSET_2D_64).collect()), vector.collect::<Vec<_>>());
-    assert_eq!(bytes(shader::byte_words(&[1, 2, 3, 4, 5]).collect()), [1, 2, 3, 4, 5, 0, 0, 0]);
     // Padded to whole words.
     assert_eq!(shader::scalar_words(&ScalarMask::new([[0]])).collect::<Vec<_>>(), [0]);
     assert_eq!(shader::vector_words(&VectorMask::new([[[7, 9]]])).collect::<Vec<_>>(), [9 << 16 | 7]);
@@ -240,13 +231,11 @@ const LEFT_OUT: &[(&str, &str)] = &[
     ("fill_fx", "rows and lists"),
     ("over_row", "rows and lists"),
     ("pattern", "rows and lists"),
-    ("draw_fx", "draw1_fx to draw4_fx"),
+    ("draw_fx", "draw1_fx to draw8_fx"),
     ("r_64", "r1_64 to r4_64"),
-    ("with_mask", "the tables that are bound"),
     ("with_masks", "the tables that are bound"),
     ("with_keys", "the tables that are bound"),
     ("from_slice", "the tables that are bound"),
-    ("from_slices", "the tables that are bound"),
     ("ranks", "the tables that are bound"),
     ("bytes", "the tables that are bound"),
     ("codes", "the tables that are bound"),

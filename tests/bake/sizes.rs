@@ -4,7 +4,7 @@ use bluedither::frames::masks::TimeMask;
 use bluedither::{ScalarMask, VectorMask, linear, sobol};
 
 /// Feature and bytes.
-const BYTES: [(&str, usize); 26] = [
+const BYTES: [(&str, usize); 24] = [
     ("threshold-16", 512),
     ("threshold-32", 2_048),
     ("threshold-64", 8_192),

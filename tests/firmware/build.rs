@@ -6,10 +6,6 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     let target = std::env::var("TARGET").unwrap_or_default();
     let out = std::env::var("OUT_DIR").unwrap_or_default();
-    println!("cargo::rustc-check-cfg=cfg(small)");
-    if target == "thumbv6m-none-eabi" {
-        println!("cargo::rustc-cfg=small"); // 256 KiB for code and constants
-    }
     // Code, memory, and bytes of memory of microbit, mps2-an385, mps2-an386 and virt.
     let [code, memory, bytes] = match target.as_str() {
         "thumbv6m-none-eabi" => [0, 0x2000_0000, 16 << 10],

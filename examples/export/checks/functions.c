@@ -29,8 +29,6 @@ CHECK(sobol_owen_point, bd_sobol_owen_point(a[0], a[1], r))
 CHECK(directions_dimension, r[0] = bd_directions_dimension(bd_sobol_16, a[0], a[1]))
 CHECK(directions_owen, r[0] = bd_directions_owen(bd_sobol_16, a[0], a[1], a[2]))
 CHECK(zorder_morton_16, r[0] = bd_zorder_morton_16(a[0], a[1]))
-CHECK(zorder_first_index, r[0] = bd_zorder_first_index(a[0]))
-CHECK(zorder_point, bd_zorder_point(a[0], r))
 CHECK(strata_place_1d, r[0] = bd_strata_place_1d(a[0], a[1], a[2]))
 CHECK(strata_place_2d, bd_strata_place_2d(a[0], a[1], a + 2, r))
 CHECK(shift_global, r[0] = bd_shift_global(a[0], a[1]))
@@ -72,7 +70,7 @@ const check_t checks_of_functions[] = {
     ENTRY(hash_other), ENTRY(hash_laine_karras_4), ENTRY(hash_owen_4), ENTRY(hash_shuffle_rev), ENTRY(hash_shuffle),
     ENTRY(hash_mix_64), ENTRY(torus_wrap), ENTRY(torus_offset), ENTRY(sobol_point), ENTRY(sobol_dimension_1_rev),
     ENTRY(sobol_owen_point), ENTRY(directions_dimension), ENTRY(directions_owen), ENTRY(zorder_morton_16),
-    ENTRY(zorder_first_index), ENTRY(zorder_point), ENTRY(strata_place_1d), ENTRY(strata_place_2d),
+    ENTRY(strata_place_1d), ENTRY(strata_place_2d),
     ENTRY(shift_global), ENTRY(shift_stratified_1d), ENTRY(shift_stratified_2d), ENTRY(scalar_rank),
     ENTRY(scalar_value), ENTRY(vector_value), ENTRY(time_mask_frame), ENTRY(keys_key), ENTRY(dither_threshold_fx),
     ENTRY(quantise_level), ENTRY(dither_gray1_row),

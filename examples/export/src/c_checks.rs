@@ -3,7 +3,7 @@
 
 use crate::{c, tables};
 use bluedither::tables as library;
-use bluedither::{Dither, Keyed, Sampler, White, ZOrder, dither, hash, shift, sobol, strata, torus, unit, zorder};
+use bluedither::{Dither, Keyed, Sampler, White, dither, hash, shift, sobol, strata, torus, unit, zorder};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -38,8 +38,6 @@ const FUNCTIONS: &[(&str, Twin)] = &[
     ("directions_dimension", |a| one(library::SOBOL_16.dimension(a[0], a[1]))),
     ("directions_owen", |a| one(library::SOBOL_16.owen(a[0], a[1], a[2]))),
     ("zorder_morton_16", |a| one(zorder::morton_16(a[0], a[1]))),
-    ("zorder_first_index", |a| one(zorder::first_index(a[0]))),
-    ("zorder_point", |a| two(zorder::point(a[0]))),
     ("strata_place_1d", |a| one(strata::place_1d(a[0], a[1], a[2]))),
     ("strata_place_2d", |a| two(strata::place_2d(a[0], a[1], [a[2], a[3]]))),
     ("shift_global", |a| one(shift::global([a[0]], [a[1]])[0])),
@@ -83,33 +81,32 @@ macro_rules! draws {
                 let pixel = $sampler.pixel($a[2], $a[3], $a[4]);
                 two([pixel.draw_fx::<1>($a[5], $a[6])[0], pixel.draw::<1>($a[5], $a[6])[0].to_bits()])
             }),
-            (concat!($name, "_draw2"), |$a| {
-                let pixel = $sampler.pixel($a[2], $a[3], $a[4]);
-                four(pixel.draw_fx::<2>($a[5], $a[6]), pixel.draw::<2>($a[5], $a[6]).map(f32::to_bits))
-            }),
-            (concat!($name, "_draw3"), |$a| {
-                let pixel = $sampler.pixel($a[2], $a[3], $a[4]);
-                let (fx, floats) = (pixel.draw_fx::<3>($a[5], $a[6]), pixel.draw::<3>($a[5], $a[6]));
-                let [x, y, z] = core::array::from_fn(|k| fx[k] ^ floats[k].to_bits());
-                [x, y, z, 0]
-            }),
-            (concat!($name, "_draw4"), |$a| {
-                let pixel = $sampler.pixel($a[2], $a[3], $a[4]);
-                let (fx, floats) = (pixel.draw_fx::<4>($a[5], $a[6]), pixel.draw::<4>($a[5], $a[6]));
-                core::array::from_fn(|k| fx[k] ^ floats[k].to_bits())
-            }),
+            draws!(2 $name, |$a| $sampler),
+            draws!(3 $name, |$a| $sampler),
+            draws!(4 $name, |$a| $sampler),
+            draws!(5 $name, |$a| $sampler),
+            draws!(6 $name, |$a| $sampler),
+            draws!(7 $name, |$a| $sampler),
+            draws!(8 $name, |$a| $sampler),
         ]
+    };
+    ($d:literal $name:literal, |$a:ident| $sampler:expr) => {
+        (concat!($name, "_draw", $d), |$a| {
+            let pixel = $sampler.pixel($a[2], $a[3], $a[4]);
+            let (fx, floats) = (pixel.draw_fx::<$d>($a[5], $a[6]), pixel.draw::<$d>($a[5], $a[6]));
+            let mut all = [0u32; 4];
+            for (k, (fx, float)) in fx.into_iter().zip(floats).enumerate() {
+                all[k % 4] = hash::combine(all[k % 4].wrapping_add(fx), float.to_bits());
+            }
+            all
+        })
     };
 }
 
-const SAMPLERS: [&[(&str, Twin)]; 4] = [
+const SAMPLERS: [&[(&str, Twin)]; 3] = [
     draws!("sampler", |a| if a[7] & 1 == 1 { Sampler::new(a[0]) } else { Sampler::with_spp(a[0], a[1]) }),
-    draws!("z_order", |a| if a[7] & 1 == 1 { ZOrder::new(a[0]) } else { ZOrder::with_spp(a[0], a[1]) }),
     draws!("white", |a| if a[7] & 1 == 1 { White::new(a[0]) } else { White::with_spp(a[0], a[1]) }),
-    draws!("keyed", |a| {
-        let keys = if a[7] & 1 == 1 { &library::KEYS_64 } else { &library::KEYS_64_SPP_4 };
-        Keyed::with_keys(keys, a[0])
-    }),
+    draws!("keyed", |a| Keyed::with_keys(&library::KEYS_64, a[0])),
 ];
 
 const fn one(value: u32) -> Results {

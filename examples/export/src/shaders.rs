@@ -50,20 +50,15 @@ macro_rules! tile {
 tile!(THRESHOLD, "threshold-64", SCALAR_MASK, "threshold-64.bin", scalar_words(THRESHOLD_64));
 tile!(OFFSET, "offset-2d-64", VECTOR_MASK, "offset-2d-64.bin", vector_words(OFFSET_2D_64));
 tile!(KEYS, "keys-64", KEYS_TILE, "keys-64-words.bin", keys_words(KEYS_64));
-tile!(LATTICE, "lattice-64", LATTICE_MASK, "lattice-64.bin", vector_words(LATTICE_64));
 
 /// All of them.
 pub const USES: &[Use] = &[
     Use { name: "sampler", title: "Sampler", parts: shader::SAMPLER, tables: &[LINEAR_ORDER], draw: None },
-    Use { name: "z_order", title: "ZOrder", parts: shader::Z_ORDER, tables: &[], draw: None },
     #[cfg(feature = "keys-64")]
     Use { name: "keyed", title: "Keyed", parts: shader::KEYED, tables: &[LINEAR_ORDER, KEYS], draw: None },
-    #[cfg(feature = "lattice-64")]
-    Use { name: "rank1", title: "Rank1", parts: shader::RANK1, tables: &[LATTICE], draw: None },
     #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
     Use { name: "dithered", title: "Dithered", parts: shader::DITHERED, tables: &[THRESHOLD, OFFSET], draw: None },
     Use { name: "white", title: "White", parts: shader::WHITE, tables: &[], draw: None },
-    Use { name: "constant", title: "Constant", parts: shader::CONSTANT, tables: &[], draw: None },
     #[cfg(feature = "threshold-64")]
     Use {
         name: "dither",

@@ -113,8 +113,6 @@ fn inventory() -> (Vec<Table>, Vec<&'static str>) {
     table!("offset-2d-128", 128, OFFSET_2D_128, Vector);
     table!("keys-64", 64, KEYS_64, Keys);
     table!("keys-128", 128, KEYS_128, Keys);
-    table!("keys-64-spp-4", 64, KEYS_64_SPP_4, Keys);
-    table!("keys-64-spp-16", 64, KEYS_64_SPP_16, Keys);
     table!("lattice-64", 64, LATTICE_64, Vector);
     table!("threshold-over-time-32", 32, THRESHOLD_OVER_TIME_32, Frames);
     table!("threshold-over-time-64", 64, THRESHOLD_OVER_TIME_64, Frames);

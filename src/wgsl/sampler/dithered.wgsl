@@ -1,16 +1,19 @@
 // Georgiev and Fajardo 2016: one pattern for the image, one offset a pixel from a blue-noise mask. As
-// `bluedither::Dithered`, with the scalar and the vector mask that are bound, which have one size.
+// `bluedither::Dithered`, with the scalar and the vector mask that are bound, which have one size: for
+// bd_dithered_lattice the vector mask of a lattice.
 
 struct bd_Dithered {
     seed: u32,
-    // Strata of single dimensions and of pairs; 0 moves the Sobol pattern as a whole.
+    // Strata of single dimensions and of pairs; 0 moves the pattern as a whole.
     strata_1d: u32,
     strata_2d: u32,
+    // Whether pairs that have no strata are a lattice, and not Sobol's.
+    on_lattice: bool,
 }
 
 // Samples per pixel unknown: the sequence goes on for as long as it is asked, offset globally.
 fn bd_dithered_new(seed: u32) -> bd_Dithered {
-    return bd_Dithered(seed, 0u, 0u);
+    return bd_Dithered(seed, 0u, 0u, false);
 }
 
 // `spp` samples per pixel: single dimensions stratified, pairs offset globally.
@@ -18,19 +21,29 @@ fn bd_dithered_with_spp(seed: u32, spp: u32) -> bd_Dithered {
     return bd_dithered_stratified_1d(bd_dithered_new(seed), spp);
 }
 
-// Offsets the Sobol pattern as a whole, in every dimension.
+// Pairs of a rank-1 lattice.
+fn bd_dithered_lattice(seed: u32) -> bd_Dithered {
+    return bd_dithered_on_lattice(bd_dithered_new(seed));
+}
+
+// Takes pairs that have no strata from a rank-1 lattice, in place of the Sobol sequence.
+fn bd_dithered_on_lattice(seeded: bd_Dithered) -> bd_Dithered {
+    return bd_Dithered(seeded.seed, seeded.strata_1d, seeded.strata_2d, true);
+}
+
+// Offsets the pattern as a whole, in every dimension.
 fn bd_dithered_global(seeded: bd_Dithered) -> bd_Dithered {
-    return bd_Dithered(seeded.seed, 0u, 0u);
+    return bd_Dithered(seeded.seed, 0u, 0u, seeded.on_lattice);
 }
 
 // Offsets single dimensions inside the cells of `spp` strata, and pairs globally.
 fn bd_dithered_stratified_1d(seeded: bd_Dithered, spp: u32) -> bd_Dithered {
-    return bd_Dithered(seeded.seed, max(spp, 1u), 0u);
+    return bd_Dithered(seeded.seed, max(spp, 1u), 0u, seeded.on_lattice);
 }
 
 // Offsets single dimensions and pairs inside the cells of `spp` strata.
 fn bd_dithered_stratified(seeded: bd_Dithered, spp: u32) -> bd_Dithered {
-    return bd_Dithered(seeded.seed, max(spp, 1u), max(spp, 1u));
+    return bd_Dithered(seeded.seed, max(spp, 1u), max(spp, 1u), seeded.on_lattice);
 }
 
 struct bd_DitheredPixel {
@@ -64,7 +77,11 @@ fn bd_dithered_pair(pixel: bd_DitheredPixel, domain: u32, pad: u32, index: u32) 
     let seed = bd_dithered_order(pixel, domain, pad);
     let strata = pixel.seeded.strata_2d;
     if strata == 0u {
-        return bd_sobol_point(bd_hash_shuffle(index, seed)) + offset;
+        let first = bd_hash_shuffle_rev(reverseBits(index), seed);
+        if pixel.seeded.on_lattice {
+            return first * vec2<u32>(1u, 364981u) + offset; // lattice::EXEW
+        }
+        return bd_sobol_point(reverseBits(first)) + offset;
     }
     let cell = bd_dithered_cell(pixel, seed, strata, index);
     return bd_shift_stratified_2d(cell.y, strata, bd_sobol_point(cell.x), offset);
@@ -90,37 +107,4 @@ fn bd_dithered_cell(pixel: bd_DitheredPixel, seed: u32, strata: u32, index: u32)
     let cell = bd_strata_permute(index % strata, strata, bd_hash_combine(seed, round));
     let turn = bd_hash_combine(seed, (pixel.place.x * 0x9e3779b1u) ^ (pixel.place.y * 0x85ebca77u));
     return vec2<u32>(round, bd_strata_turn(cell, strata, turn));
-}
-
-// Sample `index` for purpose `domain`: 1 to 4 numbers, 0.32 fixed point or floats in [0, 1).
-fn bd_dithered_draw1_fx(pixel: bd_DitheredPixel, domain: u32, index: u32) -> u32 {
-    return bd_dithered_single(pixel, domain, 0u, index);
-}
-
-fn bd_dithered_draw2_fx(pixel: bd_DitheredPixel, domain: u32, index: u32) -> vec2<u32> {
-    return bd_dithered_pair(pixel, domain, 0u, index);
-}
-
-fn bd_dithered_draw3_fx(pixel: bd_DitheredPixel, domain: u32, index: u32) -> vec3<u32> {
-    return vec3<u32>(bd_dithered_pair(pixel, domain, 0u, index), bd_dithered_single(pixel, domain, 1u, index));
-}
-
-fn bd_dithered_draw4_fx(pixel: bd_DitheredPixel, domain: u32, index: u32) -> vec4<u32> {
-    return vec4<u32>(bd_dithered_pair(pixel, domain, 0u, index), bd_dithered_pair(pixel, domain, 1u, index));
-}
-
-fn bd_dithered_draw1(pixel: bd_DitheredPixel, domain: u32, index: u32) -> f32 {
-    return bd_unit_to_f32(bd_dithered_draw1_fx(pixel, domain, index));
-}
-
-fn bd_dithered_draw2(pixel: bd_DitheredPixel, domain: u32, index: u32) -> vec2<f32> {
-    return bd_unit_to_f32s2(bd_dithered_draw2_fx(pixel, domain, index));
-}
-
-fn bd_dithered_draw3(pixel: bd_DitheredPixel, domain: u32, index: u32) -> vec3<f32> {
-    return bd_unit_to_f32s3(bd_dithered_draw3_fx(pixel, domain, index));
-}
-
-fn bd_dithered_draw4(pixel: bd_DitheredPixel, domain: u32, index: u32) -> vec4<f32> {
-    return bd_unit_to_f32s4(bd_dithered_draw4_fx(pixel, domain, index));
 }

@@ -36,35 +36,7 @@ fn bd_keyed_pair(pixel: bd_KeyedPixel, domain: u32, pad: u32, index: u32) -> vec
     return bd_linear_packed_rev(bd_hash_shuffle_rev(reverseBits(index), order)).yx ^ key;
 }
 
-// Sample `index` for purpose `domain`: 1 to 4 numbers, 0.32 fixed point or floats in [0, 1).
-fn bd_keyed_draw1_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> u32 {
-    return bd_keyed_pair(pixel, domain, 0u, index).x;
-}
-
-fn bd_keyed_draw2_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec2<u32> {
-    return bd_keyed_pair(pixel, domain, 0u, index);
-}
-
-fn bd_keyed_draw3_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec3<u32> {
-    return vec3<u32>(bd_keyed_pair(pixel, domain, 0u, index), bd_keyed_pair(pixel, domain, 1u, index).x);
-}
-
-fn bd_keyed_draw4_fx(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec4<u32> {
-    return vec4<u32>(bd_keyed_pair(pixel, domain, 0u, index), bd_keyed_pair(pixel, domain, 1u, index));
-}
-
-fn bd_keyed_draw1(pixel: bd_KeyedPixel, domain: u32, index: u32) -> f32 {
-    return bd_unit_to_f32(bd_keyed_draw1_fx(pixel, domain, index));
-}
-
-fn bd_keyed_draw2(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec2<f32> {
-    return bd_unit_to_f32s2(bd_keyed_draw2_fx(pixel, domain, index));
-}
-
-fn bd_keyed_draw3(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec3<f32> {
-    return bd_unit_to_f32s3(bd_keyed_draw3_fx(pixel, domain, index));
-}
-
-fn bd_keyed_draw4(pixel: bd_KeyedPixel, domain: u32, index: u32) -> vec4<f32> {
-    return bd_unit_to_f32s4(bd_keyed_draw4_fx(pixel, domain, index));
+// A single dimension: the first of a pair.
+fn bd_keyed_single(pixel: bd_KeyedPixel, domain: u32, pad: u32, index: u32) -> u32 {
+    return bd_keyed_pair(pixel, domain, pad, index).x;
 }

@@ -30,35 +30,7 @@ fn bd_white_pair(pixel: bd_WhitePixel, domain: u32, pad: u32, index: u32) -> vec
     return bd_sobol_owen_point(bd_hash_shuffle(index, seed), seed);
 }
 
-// Sample `index` for purpose `domain`: 1 to 4 numbers, 0.32 fixed point or floats in [0, 1).
-fn bd_white_draw1_fx(pixel: bd_WhitePixel, domain: u32, index: u32) -> u32 {
-    return bd_white_pair(pixel, domain, 0u, index).x;
-}
-
-fn bd_white_draw2_fx(pixel: bd_WhitePixel, domain: u32, index: u32) -> vec2<u32> {
-    return bd_white_pair(pixel, domain, 0u, index);
-}
-
-fn bd_white_draw3_fx(pixel: bd_WhitePixel, domain: u32, index: u32) -> vec3<u32> {
-    return vec3<u32>(bd_white_pair(pixel, domain, 0u, index), bd_white_pair(pixel, domain, 1u, index).x);
-}
-
-fn bd_white_draw4_fx(pixel: bd_WhitePixel, domain: u32, index: u32) -> vec4<u32> {
-    return vec4<u32>(bd_white_pair(pixel, domain, 0u, index), bd_white_pair(pixel, domain, 1u, index));
-}
-
-fn bd_white_draw1(pixel: bd_WhitePixel, domain: u32, index: u32) -> f32 {
-    return bd_unit_to_f32(bd_white_draw1_fx(pixel, domain, index));
-}
-
-fn bd_white_draw2(pixel: bd_WhitePixel, domain: u32, index: u32) -> vec2<f32> {
-    return bd_unit_to_f32s2(bd_white_draw2_fx(pixel, domain, index));
-}
-
-fn bd_white_draw3(pixel: bd_WhitePixel, domain: u32, index: u32) -> vec3<f32> {
-    return bd_unit_to_f32s3(bd_white_draw3_fx(pixel, domain, index));
-}
-
-fn bd_white_draw4(pixel: bd_WhitePixel, domain: u32, index: u32) -> vec4<f32> {
-    return bd_unit_to_f32s4(bd_white_draw4_fx(pixel, domain, index));
+// A single dimension: the first of a pair.
+fn bd_white_single(pixel: bd_WhitePixel, domain: u32, pad: u32, index: u32) -> u32 {
+    return bd_white_pair(pixel, domain, pad, index).x;
 }

@@ -3,7 +3,7 @@
 
 use bluedither::frames::seeds;
 use bluedither::tables::{THRESHOLD_32, THRESHOLD_64};
-use bluedither::{Dither, Dithered, Keyed, Sampler, ZOrder, candidate, warp};
+use bluedither::{Dither, Dithered, Keyed, Sampler, candidate, warp};
 
 /// What calls read and write.
 #[derive(Debug)]
@@ -105,8 +105,6 @@ calls! {
         room.numbers[0] = Sampler::with_spp(1, 4).pixel(n, 7, 0).draw_fx(0, n);
     sampler_fill integer "`Sampler`, `fill_fx::<2>`" |room, n|
         Sampler::with_spp(1, 4).pixel(n, 7, 0).fill_fx(0, 0, &mut room.numbers);
-    zorder integer "`ZOrder`, `draw_fx::<2>`" |room, n|
-        room.numbers[0] = ZOrder::new(1).pixel(n, 7, 0).draw_fx(0, n);
     keyed integer "`Keyed`, `draw_fx::<2>`" |room, n|
         room.numbers[0] = Keyed::new(1).pixel(n, 7, 0).draw_fx(0, n);
     dithered integer "`Dithered`, `draw_fx::<2>`" |room, n|

@@ -4,7 +4,7 @@ use crate::fold;
 #[cfg(feature = "float")]
 use bluedither::Dither;
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Sampler, ZOrder, hash, unit, warp};
+use bluedither::{Sampler, White, hash, unit, warp};
 
 pub(crate) fn samplers() -> u32 {
     let mut sum = crate::parts::conversions();
@@ -12,7 +12,7 @@ pub(crate) fn samplers() -> u32 {
         let pixel = Sampler::with_spp(3, 4).pixel(k, k, k);
         let (mut filled, mut row) = ([[0.0; 3]; 5], [[0.0; 2]; 5]);
         pixel.fill(k, k, &mut filled);
-        ZOrder::new(k).fill_row(k, k, k, k, k, &mut row);
+        White::new(k).fill_row(k, k, k, k, k, &mut row);
         let words = pixel.draw::<4>(k % 4, k).into_iter().chain(filled.into_iter().flatten());
         let words = words.chain(row.into_iter().flatten()).chain([THRESHOLD_64.value(k, 1)]);
         let words = words.chain(OFFSET_2D_64.value(k, 1)).chain(pixel.pattern::<2, 9>(k, k).into_iter().flatten());

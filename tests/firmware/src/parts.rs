@@ -1,8 +1,6 @@
 //! What samplers are made of.
 
 use crate::fold;
-#[cfg(not(small))]
-use bluedither::keys_2019::Tables2019;
 use bluedither::tables::{KEYS_64, LATTICE_64, OFFSET_2D_64, SOBOL_16, THRESHOLD_32, THRESHOLD_64};
 use bluedither::{Keys, ScalarMask, VectorMask, hash, lattice, linear, shift, sobol, strata, torus, unit, zorder};
 
@@ -24,10 +22,9 @@ pub(crate) fn sequences() -> u32 {
         sobol::owen_point(k, v)
             .into_iter()
             .chain([0, 1, 2, 3].map(|dimension| sobol::dimension(v, dimension)))
-            .chain([SOBOL_16.dimension(v, k), SOBOL_16.owen(v, k, k), zorder::morton_16(k, v), zorder::first_index(v)])
+            .chain([SOBOL_16.dimension(v, k), SOBOL_16.owen(v, k, k), zorder::morton_16(k, v)])
             .chain([lattice::extensible(k, v), lattice::fixed(k, 99, v), lattice::FIBONACCI[k as usize % 46]])
             .chain(lattice::r::<4>(v))
-            .chain(zorder::point(v))
             .chain([long as u32, (long >> 32) as u32, linear::digits(&[v; 10], k, v), sobol::directions(k, &[v, 1])[9]])
     }))
 }
@@ -60,27 +57,6 @@ pub(crate) fn masks() -> u32 {
         let [[a, b], [c, d], [e, f]] = [OFFSET_2D_64.value_fx(x, y), LATTICE_64.value_fx(x, y), KEYS_64.key(x, y)];
         [THRESHOLD_64.value_fx(x, y), u32::from(THRESHOLD_32.rank(x, y)), a, b, c, d, e, f]
     })))
-}
-
-/// 128 KiB of numbers without a pattern: the smallest machine has no room for them.
-#[cfg(not(small))]
-static TILE: [u8; 1 << 17] = {
-    let mut tile = [0; 1 << 17];
-    let mut state = 1u32;
-    let mut k = 0;
-    while k < tile.len() {
-        state = state.wrapping_mul(0x915f_77f5).wrapping_add(1);
-        tile[k] = (state >> 24) as u8;
-        k += 1;
-    }
-    tile
-};
-
-#[cfg(not(small))]
-pub(crate) fn keys_2019() -> u32 {
-    let Some(tables) = Tables2019::from_slices(&TILE[..1 << 16], &TILE, &TILE) else { return 0 };
-    let refused = Tables2019::from_slices(&TILE, &TILE, &TILE).is_none();
-    fold((0..999).map(|k| tables.value_fx(k * 7, k * 3, k * 5, k)).chain([u32::from(refused)]))
 }
 
 /// Floats of fixed point, and back.

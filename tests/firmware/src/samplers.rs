@@ -1,7 +1,7 @@
 //! Draws, fills and rows of every sampler.
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Constant, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder, hash};
+use bluedither::{Dithered, Keyed, Keys, Sampler, White, hash};
 
 /// A checksum of fixed-point numbers by every public way to get them.
 macro_rules! sampled {
@@ -11,10 +11,10 @@ macro_rules! sampled {
             let pixel = sampler.pixel(k * 5, u32::MAX - k * 3, k / 8);
             let (one, two, three) =
                 (pixel.draw_fx::<1>(k % 3, k), pixel.draw_fx::<2>(k, k << 27), pixel.draw_fx::<3>(!k, !k));
-            let (mut filled, mut row) = ([[0; 3]; 5], [[0; 4]; 5]);
+            let (mut filled, mut row) = ([[0; 5]; 5], [[0; 6]; 5]);
             pixel.fill_fx(k, k, &mut filled);
             sampler.fill_row_fx(k, k, k, k, k, &mut row);
-            let words = pixel.draw_fx::<4>(k % 4, k).into_iter().chain(one).chain(two).chain(three);
+            let words = pixel.draw_fx::<8>(k % 4, k).into_iter().chain(one).chain(two).chain(three);
             let words = words.chain(filled.into_iter().flatten()).chain(row.into_iter().flatten());
             sum = hash::combine(sum, crate::fold(words));
         }
@@ -39,12 +39,8 @@ pub(crate) fn stratified() -> u32 {
     sampled!(masked.stratified(5)) ^ sampled!(masked.stratified(5).global()).rotate_left(1)
 }
 
-pub(crate) fn zorder() -> u32 {
-    sampled!(ZOrder::new(3))
-}
-
-pub(crate) fn controls() -> u32 {
-    sampled!(White::new(5)) ^ sampled!(Constant::with_spp(7, 4)).rotate_left(1)
+pub(crate) fn white() -> u32 {
+    sampled!(White::new(5))
 }
 
 pub(crate) fn keyed() -> u32 {
@@ -52,6 +48,6 @@ pub(crate) fn keyed() -> u32 {
     sampled!(Keyed::new(3)) ^ sampled!(Keyed::with_keys(&KEYS, 3)).rotate_left(1)
 }
 
-pub(crate) fn rank1() -> u32 {
-    sampled!(Rank1::new(3)) ^ sampled!(Rank1::with_mask(&OFFSET_2D_64, 3)).rotate_left(1)
+pub(crate) fn lattice() -> u32 {
+    sampled!(Dithered::lattice(3)) ^ sampled!(Dithered::new(3).on_lattice()).rotate_left(1)
 }

@@ -20,10 +20,6 @@ pub fn vector<const S: usize>(mask: &VectorMask<2, S>) -> Bound {
     square::<S>(shader::VECTOR_MASK, shader::vector_words(mask).collect())
 }
 
-pub fn lattice<const S: usize>(mask: &VectorMask<2, S>) -> Bound {
-    square::<S>(shader::LATTICE_MASK, shader::vector_words(mask).collect())
-}
-
 pub fn keys<const S: usize>(keys: &Keys<S>) -> Bound {
     square::<S>(shader::KEYS_TILE, shader::keys_words(keys).collect())
 }
@@ -47,12 +43,6 @@ pub fn linear_light() -> Bound {
 
 pub fn seed_swaps() -> Bound {
     square::<64>(shader::SEED_SWAPS, shader::seed_swap_words().collect())
-}
-
-/// Bytes, in rows of `width`.
-pub fn bytes(table: Table, bytes: &[u8], width: usize) -> Bound {
-    let words = shader::byte_words(bytes).collect();
-    Bound { table, size: String::new(), words, extent: [width, bytes.len() / width] }
 }
 
 fn square<const S: usize>(table: Table, words: Vec<u32>) -> Bound {

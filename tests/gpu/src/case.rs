@@ -24,7 +24,7 @@ pub struct Case {
     pub tables: Vec<Bound>,
     arguments: usize,
     results: usize,
-    /// One expression, after statements that it needs. A vector for more than one result.
+    /// One expression, after statements that it needs. A vector for more than one result, an array for more than four.
     pub expression: &'static str,
     rust: Rust,
     ways: &'static [Way],
@@ -83,13 +83,10 @@ impl Case {
         let names: String = names.map(|(name, k)| format!("    let {name} = given[{n}u * call + {k}u];\n")).collect();
         let (statements, value) = self.expression.rsplit_once("; ").unwrap_or(("", self.expression));
         let end = if statements.is_empty() { "" } else { ";\n" };
-        let (kind, components) = match m {
-            1 => ("u32".to_string(), vec![String::new()]),
-            _ => (format!("vec{m}<u32>"), (0..m).map(|k| format!("[{k}]")).collect()),
-        };
-        let results = components.iter().zip(0..);
-        let results: String = results.map(|(c, k)| format!("    found[{m}u * call + {k}u] = result{c};\n")).collect();
-        format!("{names}    {statements}{end}    let result = bitcast<{kind}>({value});\n{results}")
+        let component = |k| if m == 1 { String::new() } else { format!("[{k}]") };
+        let result = |k| format!("    found[{m}u * call + {k}u] = bitcast<u32>(result{});\n", component(k));
+        let results: String = (0..m).map(result).collect();
+        format!("{names}    {statements}{end}    let result = {value};\n{results}")
     }
 
     /// Calls it a million times. The error tells the first difference.

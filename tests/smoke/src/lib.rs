@@ -10,7 +10,7 @@ mod shader;
 mod time;
 
 use bluedither::tables::{OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Constant, Dithered, Keyed, Keys, Rank1, Sampler, White, ZOrder};
+use bluedither::{Dithered, Keyed, Keys, Sampler, White};
 
 unsafe extern "C" {
     /// Defined nowhere.
@@ -46,7 +46,9 @@ macro_rules! drawn {
             let pixel = sampler.pixel(x, y, frame);
             sum += pixel.draw::<1>(domain, index)[0] + pixel.draw::<2>(domain, index)[1];
             sum += pixel.draw::<3>(domain, index)[2] + pixel.draw::<4>(domain, index)[3];
-            sum += pixel.draw_fx::<4>(domain, index)[3] as f32;
+            sum += pixel.draw::<5>(domain, index)[4] + pixel.draw::<6>(domain, index)[5];
+            sum += pixel.draw::<7>(domain, index)[6] + pixel.draw::<8>(domain, index)[7];
+            sum += pixel.draw_fx::<8>(domain, index)[7] as f32;
             pixel.fill(domain, index, $floats);
             pixel.fill_fx(domain, index, $words);
             sampler.fill_row(x, y, frame, domain, index, $floats);
@@ -59,7 +61,7 @@ macro_rules! drawn {
 
 /// All samplers.
 #[unsafe(no_mangle)]
-pub extern "C" fn samplers(place: &Place, n: usize, floats: &mut [[f32; 4]; 9], words: &mut [[u32; 3]; 9]) -> f32 {
+pub extern "C" fn samplers(place: &Place, n: usize, floats: &mut [[f32; 8]; 9], words: &mut [[u32; 7]; 9]) -> f32 {
     let Place { seed, spp, .. } = *place;
     let (Some(floats), Some(words)) = (floats.get_mut(..n), words.get_mut(..n)) else { return 0.0 };
     drawn!(place, floats, words,
@@ -70,12 +72,10 @@ pub extern "C" fn samplers(place: &Place, n: usize, floats: &mut [[f32; 4]; 9], 
         Dithered::with_masks(&THRESHOLD_64, &OFFSET_2D_64, seed).stratified(spp);
         Dithered::new(seed).stratified_1d(spp);
         Dithered::new(seed).stratified(spp).global();
-        ZOrder::with_spp(seed, spp);
         Keyed::with_spp(seed, spp);
         Keyed::with_keys(&KEYS, seed);
-        Rank1::with_spp(seed, spp);
-        Rank1::with_mask(&OFFSET_2D_64, seed);
+        Dithered::lattice(seed);
+        Dithered::new(seed).on_lattice();
         White::with_spp(seed, spp);
-        Constant::with_spp(seed, spp);
     )
 }

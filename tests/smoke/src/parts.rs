@@ -1,6 +1,5 @@
 //! What samplers are made of.
 
-use bluedither::keys_2019::Tables2019;
 use bluedither::linear::{Sequence, Tables};
 use bluedither::sobol::Directions;
 use bluedither::tables::{EFFORT, OFFSET_2D_64, SOBOL_16, THRESHOLD_64};
@@ -28,13 +27,6 @@ pub extern "C" fn own_tables(ranks: &[u16; 99], n: usize, x: u32, y: u32) -> u32
     scalar ^ vector ^ Keys::<4>::from_slice(pairs).map_or(0, |keys| keys.key(x, y)[0])
 }
 
-/// Tables of 2019, of any length.
-#[unsafe(no_mangle)]
-pub extern "C" fn tables_of_2019(bytes: &[u8; 200_000], n: usize, tile: &[u8; 131_072], x: u32, y: u32, i: u32) -> f32 {
-    let Some(tables) = bytes.get(..n).and_then(|bytes| Tables2019::from_slices(bytes, tile, tile)) else { return 0.0 };
-    tables.value_f32(x, y, i, x) + unit::to_f32(tables.value_fx(x, y, i, i) ^ u32::from(tables.value(x, i, x, y)))
-}
-
 /// Integer parts.
 #[unsafe(no_mangle)]
 pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
@@ -50,8 +42,7 @@ pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
     sum ^= shift::stratified_1d(a, b, c, c) ^ shift::stratified_2d(a, b, [c, a], [b, c])[0];
     sum ^= lattice::fixed(a, b, c) ^ lattice::extensible(a, b) ^ lattice::r::<4>(a)[3];
     sum ^= lattice::r_64::<4>(u64::from(a) << 20)[3] as u32;
-    sum ^= zorder::point(a)[1];
-    sum ^ zorder::first_index(a) ^ zorder::morton(a, b) as u32 ^ zorder::morton_16(a, b)
+    sum ^ zorder::morton(a, b) as u32 ^ zorder::morton_16(a, b)
 }
 
 /// Sequences, one of the caller's own among them.

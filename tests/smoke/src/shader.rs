@@ -4,14 +4,12 @@ use bluedither::frames::masks::TimeMask;
 use bluedither::tables::{KEYS_64, OFFSET_2D_64, SOBOL_16, THRESHOLD_64};
 use bluedither::{ScalarMask, shader};
 
-/// Words of tables, of any bytes too.
+/// Words of tables.
 #[unsafe(no_mangle)]
-pub extern "C" fn words(bytes: &[u8; 99], n: usize) -> u32 {
+pub extern "C" fn words() -> u32 {
     static MASK: ScalarMask<2> = ScalarMask::new([[0, 1], [2, 3]]);
     static OWN: TimeMask<'_, 2, 1> = TimeMask::new([&MASK]);
-    let Some(bytes) = bytes.get(..n) else { return 0 };
-    shader::byte_words(bytes)
-        .chain(shader::direction_words(&SOBOL_16))
+    shader::direction_words(&SOBOL_16)
         .chain(shader::keys_words(&KEYS_64))
         .chain(shader::linear_light_words())
         .chain(shader::linear_order_words())

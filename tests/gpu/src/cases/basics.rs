@@ -16,6 +16,14 @@ fn units() -> Vec<Case> {
         case(UNIT, "bd_unit_to_f32s2(vec2(a, b))", |given: [_; 2]| unit::to_f32s(given).map(f32::to_bits)),
         case(UNIT, "bd_unit_to_f32s3(vec3(a, b, c))", |given: [_; 3]| unit::to_f32s(given).map(f32::to_bits)),
         case(UNIT, "bd_unit_to_f32s4(vec4(a, b, c, d))", |given: [_; 4]| unit::to_f32s(given).map(f32::to_bits)),
+        case(UNIT, "bd_unit_to_f32s5(array(a, b, c, d, e))", |given: [_; 5]| unit::to_f32s(given).map(f32::to_bits)),
+        case(UNIT, "bd_unit_to_f32s6(array(a, b, c, d, e, f))", |given: [_; 6]| unit::to_f32s(given).map(f32::to_bits)),
+        case(UNIT, "bd_unit_to_f32s7(array(a, b, c, d, e, f, g))", |given: [_; 7]| {
+            unit::to_f32s(given).map(f32::to_bits)
+        }),
+        case(UNIT, "bd_unit_to_f32s8(array(a, b, c, d, e, f, g, h))", |given: [_; 8]| {
+            unit::to_f32s(given).map(f32::to_bits)
+        }),
         case(UNIT, "bd_unit_from_f32(bitcast<f32>(a))", |[a]| [unit::from_f32(f32::from_bits(a))]),
         // Bits around 1 and 0.
         case(UNIT, "bd_unit_from_f32(bitcast<f32>(0x2f000000u + a % 0x11000000u))", |[a]| {

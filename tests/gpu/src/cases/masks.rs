@@ -1,11 +1,10 @@
 //! Look-ups.
 
-use bluedither::keys_2019::Tables2019;
 use bluedither::shader::*;
 use bluedither::tables::{
     KEYS_64, OFFSET_1D_16, OFFSET_2D_64, SEED_PERMUTATION, THRESHOLD_64, THRESHOLD_256, THRESHOLD_OVER_TIME_32,
 };
-use bluedither::{ScalarMask, frames, hash, linear, tables};
+use bluedither::{ScalarMask, frames, linear, tables};
 
 use super::low_high;
 use crate::bind;
@@ -13,7 +12,7 @@ use crate::case::{Case, case};
 
 pub fn cases() -> Vec<Case> {
     let scalars = [scalars(&THRESHOLD_64), scalars(&OFFSET_1D_16), scalars(&THRESHOLD_256)].into_iter().flatten();
-    scalars.chain(vectors()).chain(linears()).chain(keys()).chain(of_2019()).chain(over_time()).chain(seeds()).collect()
+    scalars.chain(vectors()).chain(linears()).chain(keys()).chain(over_time()).chain(seeds()).collect()
 }
 
 fn scalars<const S: usize>(mask: &'static ScalarMask<S>) -> Vec<Case> {
@@ -49,30 +48,6 @@ fn linears() -> Vec<Case> {
 
 fn keys() -> Vec<Case> {
     vec![case(KEYS, "bd_keys_key(a, b)", |[a, b]| KEYS_64.key(a, b)).with(bind::keys(&KEYS_64))]
-}
-
-/// With bytes at random: the tables of 2019 are not at hand.
-fn of_2019() -> Vec<Case> {
-    let random = |seed: u32, count: u32| -> &'static [u8] {
-        (0..count).map(|i| (hash::combine(seed, i) >> 24) as u8).collect::<Vec<_>>().leak()
-    };
-    let (sobol, scrambling, ranking) = (random(1, 65_536), random(2, 131_072), random(3, 131_072));
-    let tables = Tables2019::from_slices(sobol, scrambling, ranking).expect("as many as there are");
-    let with_all = |case: Case| {
-        case.with(bind::bytes(SOBOL_2019, sobol, 256))
-            .with(bind::bytes(SCRAMBLING_2019, scrambling, 1024))
-            .with(bind::bytes(RANKING_2019, ranking, 1024))
-    };
-    vec![
-        case(KEYS_2019, "bd_keys_2019_value(a, b, c, d)", move |[a, b, c, d]| [tables.value(a, b, c, d).into()]),
-        case(KEYS_2019, "bd_keys_2019_value_fx(a, b, c, d)", move |[a, b, c, d]| [tables.value_fx(a, b, c, d)]),
-        case(KEYS_2019, "bd_keys_2019_value_f32(a, b, c, d)", move |[a, b, c, d]| {
-            [tables.value_f32(a, b, c, d).to_bits()]
-        }),
-    ]
-    .into_iter()
-    .map(with_all)
-    .collect()
 }
 
 fn over_time() -> Vec<Case> {

@@ -2,7 +2,7 @@
 
 use bluedither::shader::*;
 use bluedither::tables::{KEYS_64, LATTICE_64, OFFSET_2D_64, THRESHOLD_64};
-use bluedither::{Constant, Dithered, Keyed, Rank1, Sampler, White, ZOrder};
+use bluedither::{Dithered, Keyed, Sampler, White};
 
 use crate::bind;
 use crate::case::{Case, case};
@@ -17,6 +17,10 @@ macro_rules! sampler {
             sampler!(@draw 2 $parts, $wgsl, $new, |$seed, $spp| $sampler),
             sampler!(@draw 3 $parts, $wgsl, $new, |$seed, $spp| $sampler),
             sampler!(@draw 4 $parts, $wgsl, $new, |$seed, $spp| $sampler),
+            sampler!(@draw 5 $parts, $wgsl, $new, |$seed, $spp| $sampler),
+            sampler!(@draw 6 $parts, $wgsl, $new, |$seed, $spp| $sampler),
+            sampler!(@draw 7 $parts, $wgsl, $new, |$seed, $spp| $sampler),
+            sampler!(@draw 8 $parts, $wgsl, $new, |$seed, $spp| $sampler),
         ]
         .into_iter()
         .flatten()
@@ -47,16 +51,14 @@ macro_rules! sampler {
 pub fn cases() -> Vec<Case> {
     let linear = || vec![bind::linear_order()];
     let keyed = || vec![bind::linear_order(), bind::keys(&KEYS_64)];
-    let lattice = || vec![bind::lattice(&LATTICE_64)];
+    let lattice = || vec![bind::scalar(&THRESHOLD_64), bind::vector(&LATTICE_64)];
     let masks = || vec![bind::scalar(&THRESHOLD_64), bind::vector(&OFFSET_2D_64)];
     std::iter::empty()
         .chain(sampler!(linear(), SAMPLER, "sampler", "new(a)", |seed, spp| Sampler::new(seed)))
         .chain(sampler!(linear(), SAMPLER, "sampler", "with_spp(a, g)", |seed, spp| Sampler::with_spp(seed, spp)))
-        .chain(sampler!(vec![], Z_ORDER, "z_order", "new(a)", |seed, spp| ZOrder::new(seed)))
         .chain(sampler!(keyed(), KEYED, "keyed", "with_spp(a, g)", |seed, spp| Keyed::with_spp(seed, spp)))
-        .chain(sampler!(lattice(), RANK1, "rank1", "with_spp(a, g)", |seed, spp| Rank1::with_spp(seed, spp)))
+        .chain(sampler!(lattice(), DITHERED, "dithered", "lattice(a)", |seed, spp| Dithered::lattice(seed)))
         .chain(sampler!(vec![], WHITE, "white", "new(a)", |seed, spp| White::new(seed)))
-        .chain(sampler!(vec![], CONSTANT, "constant", "with_spp(a, g)", |seed, spp| Constant::with_spp(seed, spp)))
         .chain(sampler!(masks(), DITHERED, "dithered", "new(a)", |seed, spp| Dithered::new(seed)))
         .chain(sampler!(masks(), DITHERED, "dithered", "with_spp(a, g)", |seed, spp| Dithered::with_spp(seed, spp)))
         .chain(sampler!(masks(), DITHERED, "dithered", "stratified(bd_dithered_new(a), g)", |seed, spp| {
@@ -72,10 +74,6 @@ pub fn cases() -> Vec<Case> {
 /// The other way to make those that are the same by `new` and by `with_spp`.
 fn others() -> Vec<Case> {
     vec![
-        case(Z_ORDER, "bd_z_order_draw1_fx(bd_z_order_pixel(bd_z_order_with_spp(a, b), c, d, e), f, g)", |given| {
-            let [a, b, c, d, e, f, g] = given;
-            ZOrder::with_spp(a, b).pixel(c, d, e).draw_fx::<1>(f, g)
-        }),
         case(WHITE, "bd_white_draw1_fx(bd_white_pixel(bd_white_with_spp(a, b), c, d, e), f, g)", |given| {
             let [a, b, c, d, e, f, g] = given;
             White::with_spp(a, b).pixel(c, d, e).draw_fx::<1>(f, g)
@@ -85,9 +83,5 @@ fn others() -> Vec<Case> {
         })
         .with_read(bind::linear_order())
         .with_read(bind::keys(&KEYS_64)),
-        case(RANK1, "bd_rank1_draw1_fx(bd_rank1_pixel(bd_rank1_new(a), b, c, d), e, f)", |[a, b, c, d, e, f]| {
-            Rank1::new(a).pixel(b, c, d).draw_fx::<1>(e, f)
-        })
-        .with(bind::lattice(&LATTICE_64)),
     ]
 }

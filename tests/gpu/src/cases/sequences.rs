@@ -52,8 +52,6 @@ fn curves() -> Vec<Case> {
     vec![
         case(ZORDER, "bd_zorder_morton(a, b)", |[a, b]| low_high(zorder::morton(a, b))),
         case(ZORDER, "bd_zorder_morton_16(a, b)", |[a, b]| [zorder::morton_16(a, b)]),
-        case(ZORDER, "bd_zorder_first_index(a)", |[a]| [zorder::first_index(a)]),
-        case(ZORDER, "bd_zorder_point(a)", |[a]| zorder::point(a)),
     ]
 }
 
