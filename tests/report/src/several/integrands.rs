@@ -113,7 +113,7 @@ impl Integrands {
         (0..Id::Below.count()).for_each(|k| set(Id::Below, k, 0.25));
 
         // Every third of an own pair.
-        let pair = |k: usize| if k % 3 == 0 { own(k / 3) } else { across(2 * k) };
+        let pair = |k: usize| if k.is_multiple_of(3) { own(k / 3) } else { across(2 * k) };
         let xors = [0, 1].map(|half| Ridges::new(|k| (one(pair(k)[half]), -0.5)));
         (0..XORS).for_each(|k| set(Id::Xor, k, 0.5));
         let checkers = core::array::from_fn(|k| (pair(k), if k % 2 == 0 { 4.0 } else { 8.0 }));

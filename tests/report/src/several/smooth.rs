@@ -6,7 +6,7 @@ use crate::analysis::random::Random;
 
 /// Functions of one family.
 pub const COUNT: usize = Id::Smooth5.count();
-const _: () = assert!(COUNT == Id::Smooth8.count() && COUNT % 12 == 0, "a third of each kind, in fours");
+const _: () = assert!(COUNT == Id::Smooth8.count() && COUNT.is_multiple_of(12), "a third of each kind, in fours");
 const THIRD: usize = COUNT / 3;
 
 /// Of each function two factors: a step and a wave, a wave and a bump, a bump and a step.

@@ -89,8 +89,8 @@ mod checks {
     /// beside it makes no difference, and by itself has none.
     #[test]
     fn checkers_and_stripes_have_theirs() {
-        let checker = image(|p| 0.3 + if (p % SIZE + p / SIZE) % 2 == 0 { 1.0 } else { -1.0 });
-        let stripes = image(|p| if p % SIZE / 2 % 2 == 0 { 1.0 } else { -1.0 });
+        let checker = image(|p| 0.3 + if (p % SIZE + p / SIZE).is_multiple_of(2) { 1.0 } else { -1.0 });
+        let stripes = image(|p| if (p % SIZE / 2).is_multiple_of(2) { 1.0 } else { -1.0 });
         let found = spikes(&checker, &stripes);
         assert_eq!(found.len(), 2 * WINDOWS);
         for pair in found.chunks_exact(2) {
@@ -106,7 +106,7 @@ mod checks {
     fn a_checker_in_noise_is_found() {
         let mut random = Random::new(7);
         let noise = image(|_| random.normal() as f32);
-        let both = image(|p| noise[p] + if (p % SIZE + p / SIZE) % 2 == 0 { 1.0 } else { -1.0 });
+        let both = image(|p| noise[p] + if (p % SIZE + p / SIZE).is_multiple_of(2) { 1.0 } else { -1.0 });
         let mut found = spikes(&both, &both);
         let [median, _] = median_and_worst(&mut found);
         assert!((460.0..560.0).contains(&median), "{median}");
