@@ -102,17 +102,34 @@ impl Sampler {
         samples: &mut [[T; D]],
         convert: impl Fn(u32) -> T + Copy,
     ) {
-        let (mut k, mut pad) = (0, 0);
-        while k < D {
-            self.words_of_row(pad, row, domain, index, samples.iter_mut(), |sample, word| {
-                let [u, v] = halves(word);
-                sample[k] = convert(u);
-                if k + 1 < D {
-                    sample[k + 1] = convert(v);
-                }
-            });
-            (k, pad) = (k + 2, pad + 1);
+        self.pair_of_row::<0, D, T>(row, domain, index, samples, convert);
+        if D > 2 {
+            self.pair_of_row::<1, D, T>(row, domain, index, samples, convert);
         }
+        if D > 4 {
+            self.pair_of_row::<2, D, T>(row, domain, index, samples, convert);
+        }
+        if D > 6 {
+            self.pair_of_row::<3, D, T>(row, domain, index, samples, convert);
+        }
+    }
+
+    #[inline(always)]
+    fn pair_of_row<const PAD: u32, const D: usize, T>(
+        &self,
+        row: [u32; 3],
+        domain: u32,
+        index: u32,
+        samples: &mut [[T; D]],
+        convert: impl Fn(u32) -> T + Copy,
+    ) {
+        self.words_of_row(PAD, row, domain, index, samples.iter_mut(), |sample, word| {
+            let [u, v] = halves(word);
+            sample[2 * PAD as usize] = convert(u);
+            if 2 * (PAD as usize) + 1 < D {
+                sample[2 * PAD as usize + 1] = convert(v);
+            }
+        });
     }
 }
 

@@ -45,8 +45,7 @@ macro_rules! padded {
                 out
             }
 
-            /// The same at `first`, `first` + 1, …, each number through `convert`: pair by pair, and what does not depend
-            /// on the index stands before the loops.
+            /// The same at `first`, `first` + 1, …, each number through `convert`.
             #[inline]
             fn fill_by<const D: usize, T>(
                 self,
@@ -55,19 +54,39 @@ macro_rules! padded {
                 samples: &mut [[T; D]],
                 convert: impl Fn(u32) -> T + Copy,
             ) {
+                self.fill_pair::<0, D, T>(domain, first, samples, convert);
+                if D > 2 {
+                    self.fill_pair::<1, D, T>(domain, first, samples, convert);
+                }
+                if D > 4 {
+                    self.fill_pair::<2, D, T>(domain, first, samples, convert);
+                }
+                if D > 6 {
+                    self.fill_pair::<3, D, T>(domain, first, samples, convert);
+                }
+            }
+
+            /// One of the pairs, or what there is of it: what does not depend on the index stands before the loops. Places are
+            /// constants, so that no bounds check is left.
+            #[inline(always)]
+            fn fill_pair<const PAD: u32, const D: usize, T>(
+                self,
+                domain: u32,
+                first: u32,
+                samples: &mut [[T; D]],
+                convert: impl Fn(u32) -> T + Copy,
+            ) {
                 use $crate::sampler::padded::{Pair, Single, each_rev};
-                let (mut k, mut pad) = (0, 0);
-                while k < D {
-                    if k + 1 < D {
-                        let pair = self.pair(domain, pad);
-                        each_rev(first, samples, |index_rev, out| {
-                            [out[k], out[k + 1]] = pair.point(index_rev).map(convert);
-                        });
-                    } else {
-                        let single = self.$single(domain, pad);
-                        each_rev(first, samples, |index_rev, out| out[k] = convert(single.value(index_rev)));
-                    }
-                    (k, pad) = (k + 2, pad + 1);
+                if 2 * (PAD as usize) + 1 < D {
+                    let pair = self.pair(domain, PAD);
+                    each_rev(first, samples, |index_rev, out| {
+                        [out[2 * PAD as usize], out[2 * PAD as usize + 1]] = pair.point(index_rev).map(convert);
+                    });
+                } else {
+                    let single = self.$single(domain, PAD);
+                    each_rev(first, samples, |index_rev, out| {
+                        out[2 * PAD as usize] = convert(single.value(index_rev));
+                    });
                 }
             }
         }

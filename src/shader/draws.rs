@@ -6,6 +6,10 @@ pub(super) const FLOATS: &str = include_str!("../wgsl/sampler/draws.wgsl");
 /// Draws in fixed point, by a sampler's pairs and singles.
 pub(super) const PADDED: &str = include_str!("../wgsl/sampler/padded.wgsl");
 
+/// Draws in fixed point, by a function that gives all eight numbers.
+#[expect(dead_code, reason = "for a sampler whose domains are one net")]
+pub(super) const JOINT: &str = include_str!("../wgsl/sampler/joint.wgsl");
+
 /// Some texts one behind the other, NAME and TITLE replaced by words, and how long that is: what is behind `N` is left
 /// out.
 pub(super) const fn paste<const N: usize>(texts: [&str; 3], name: &str, title: &str) -> ([u8; N], usize) {

@@ -3,6 +3,7 @@
 //! The masks are random permutations, so that these tests need no table.
 
 use crate::common::{SIZE, scalar_mask, vector_mask};
+use bluedither::lattice::{EXEW, extensible};
 use bluedither::{Dithered, unit};
 use proptest::prelude::*;
 
@@ -14,6 +15,27 @@ fn global_undoes_stratified() {
         let (a, b) = (dithered.pixel(3, 4, 5), back.pixel(3, 4, 5));
         assert_eq!(a.draw_fx::<3>(0, index), b.draw_fx::<3>(0, index));
         assert_eq!(a.draw_fx::<1>(0, index), b.draw_fx::<1>(0, index));
+    }
+}
+
+/// Of a lattice pairs alone are others; each power of two of them is the lattice, moved by the mask.
+#[test]
+fn pairs_on_a_lattice_are_the_lattice_moved_by_the_mask() {
+    let sorted = |mut points: Vec<[u32; 2]>| {
+        points.sort_unstable();
+        points
+    };
+    for (seed, domain, frame) in [(0, 0, 0), (1, 7, 2), (9, 100, u32::MAX)] {
+        let sobol = Dithered::with_masks(scalar_mask(), vector_mask(), seed).pixel(3, 5, frame);
+        let pixel = Dithered::with_masks(scalar_mask(), vector_mask(), seed).on_lattice().pixel(3, 5, frame);
+        let [x, y] = pixel.draw_fx::<2>(domain, 0);
+        assert_eq!(sobol.draw_fx(domain, 0), [x, y], "the first sample is the value of the mask");
+        assert_eq!(sobol.draw_fx::<1>(domain, 9), pixel.draw_fx::<1>(domain, 9));
+        for m in 0..=10 {
+            let drawn = (0..1 << m).map(|i| pixel.draw_fx(domain, i)).collect();
+            let moved = |i| [extensible(i, EXEW[0]).wrapping_add(x), extensible(i, EXEW[1]).wrapping_add(y)];
+            assert_eq!(sorted(drawn), sorted((0..1 << m).map(moved).collect()), "the first 2^{m}");
+        }
     }
 }
 
