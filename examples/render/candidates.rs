@@ -41,7 +41,7 @@ impl Candidates {
 
 impl CandidatesPixel<'_> {
     pub fn draw<const D: usize>(&self, _domain: u32, index: u32) -> [f32; D] {
-        const { assert!(D <= 2 * PICTURES as usize - 1, "there are no more pictures") };
+        const { assert!(D < 2 * PICTURES as usize, "there are no more pictures") };
         let sample = |k: usize| self.all.pictures[index as usize * PICTURES as usize + k / 2][self.pixel][k % 2];
         core::array::from_fn(|k| unit::to_f32(sample(k)))
     }

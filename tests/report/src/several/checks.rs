@@ -90,8 +90,16 @@ fn harm_is_listed() {
     w[Id::Own as usize][1] = value(1.05);
     w[Id::Light as usize][4] = value(1.25);
     w[Id::Xor as usize][2] = value(9.0);
-    let cell =
-        |form| Cell { name: "sampler", form, count: 4, w: w.clone(), spikes: vec![], images: vec![], scales: vec![] };
+    let cell = |form| Cell {
+        name: "sampler",
+        form,
+        count: 4,
+        w: w.clone(),
+        errors: w.clone(),
+        spikes: vec![],
+        images: vec![],
+        scales: vec![],
+    };
     let cells = Form::BOTH.map(cell).into();
     let [count, list] = &tables::harm(&Results { names: vec!["sampler"], counts: vec![4], cells })[..] else {
         panic!("two tables")

@@ -6,6 +6,7 @@
 
 #[cfg(test)]
 mod checks;
+mod criteria;
 mod family;
 mod goals;
 mod half_space;
@@ -43,6 +44,7 @@ pub fn chapter(arguments: &Arguments) -> Result<(Chapter, String), String> {
     let rendered = render::measure(&names, &counts, seeds_from, if arguments.quick { 128 } else { 1024 });
     let mut tables =
         vec![goals::table(&results, &rendered), render::table(&rendered, &names, &counts, arguments.errors)];
+    tables.extend([criteria::one_sample(&results), criteria::table(&results)]);
     tables.extend(tables::error(&results, arguments.errors));
     tables.extend(tables::spikes(&results));
     tables.extend(tables::harm(&results));

@@ -22,6 +22,8 @@ pub struct Cell {
     pub count: u32,
     /// Of each family, after each filter.
     pub w: Vec<[Value; SIGMAS.len()]>,
+    /// The error itself, not over white noise's.
+    pub errors: Vec<[Value; SIGMAS.len()]>,
     /// Median and worst local spike of each family.
     pub spikes: Vec<[f32; 2]>,
     /// Of the first seed, the error of each family's first integrand.
@@ -60,9 +62,10 @@ impl Results {
                 let found = judge.measure(name, Setting { form, counts, seeds: [seed, seeds] });
                 for ((measured, baseline), &count) in found.into_iter().zip(&baseline).zip(counts) {
                     let w = FAMILIES.iter().map(|family| baseline.w(&measured, family)).collect();
+                    let errors = FAMILIES.iter().map(|family| errors(&measured, family)).collect();
                     let scales = FAMILIES.iter().map(|family| baseline.plain[family.first].sqrt() as f32).collect();
                     let Measured { spikes, images, .. } = measured;
-                    cells.push(Cell { name, form, count, w, spikes, images, scales });
+                    cells.push(Cell { name, form, count, w, errors, spikes, images, scales });
                 }
                 progress.add(cost(name));
             }
@@ -86,19 +89,26 @@ impl Baseline {
 
     /// W of a family after each filter.
     fn w(&self, found: &Measured, family: &Family) -> [Value; SIGMAS.len()] {
+        let unit = |k: usize| if family.normalised { self.plain[k] } else { 1.0 };
         SIGMAS.map(|sigma| {
-            let square = |s: &Squares| if sigma > 0.0 { s.filtered[Filter::Gauss(sigma).place()] } else { s.plain };
-            let of = |measured: &Measured| {
-                let seeds = measured.squares.iter().map(|all| {
-                    let integrand = |k: usize| {
-                        let unit = if family.normalised { self.plain[k] } else { 1.0 };
-                        family.weight(k - family.first) * square(&all[k]) / unit
-                    };
-                    family.range().map(integrand).sum()
-                });
-                mean(&seeds.collect::<Vec<f64>>())
-            };
+            let of = |measured: &Measured| mean_square(measured, family, sigma, unit);
             root_of_ratio(of(found), of(&self.measured))
         })
     }
+}
+
+/// Root mean squares of a family after each filter.
+fn errors(found: &Measured, family: &Family) -> [Value; SIGMAS.len()] {
+    let one = Value { mean: 1.0, error: 0.0 };
+    SIGMAS.map(|sigma| root_of_ratio(mean_square(found, family, sigma, |_| 1.0), one))
+}
+
+/// Over the integrands of a family, each divided by its unit: mean and standard error over the seeds.
+fn mean_square(measured: &Measured, family: &Family, sigma: f64, unit: impl Fn(usize) -> f64) -> Value {
+    let square = |s: &Squares| if sigma > 0.0 { s.filtered[Filter::Gauss(sigma).place()] } else { s.plain };
+    let weight = |k: usize| family.weight(k - family.first);
+    let weights: f64 = family.range().map(weight).sum();
+    let seed =
+        |all: &Vec<Squares>| family.range().map(|k| weight(k) * square(&all[k]) / unit(k)).sum::<f64>() / weights;
+    mean(&measured.squares.iter().map(seed).collect::<Vec<f64>>())
 }
