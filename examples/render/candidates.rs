@@ -6,12 +6,14 @@
 use bluedither::{candidate, hash, unit};
 use rayon::prelude::*;
 
-/// A picture of pairs for each domain and index; one number is the first of a picture of single ones.
+/// Of each sample two pictures of pairs and one of single numbers: the five that the scene takes.
 pub struct Candidates {
     width: u32,
-    domains: u32,
     pictures: Vec<Vec<[u32; 2]>>,
 }
+
+/// Pictures of one sample: the last is of single numbers.
+const PICTURES: u32 = 3;
 
 /// One pixel of [`Candidates`].
 pub struct CandidatesPixel<'a> {
@@ -20,17 +22,16 @@ pub struct CandidatesPixel<'a> {
 }
 
 impl Candidates {
-    /// For domains 0, 1, …; those below `singles` are of one number.
-    pub fn new(seed: u32, [width, height]: [u32; 2], [singles, domains]: [u32; 2], spp: u32) -> Self {
+    pub fn new(seed: u32, [width, height]: [u32; 2], spp: u32) -> Self {
         let picture = |k: u32| {
             let seed = hash::combine(seed, k);
-            if k % domains < singles {
+            if k % PICTURES == PICTURES - 1 {
                 picture(seed, width, height).into_iter().map(|[a]| [a, 0]).collect()
             } else {
                 picture(seed, width, height)
             }
         };
-        Self { width, domains, pictures: (0..domains * spp).into_par_iter().map(picture).collect() }
+        Self { width, pictures: (0..PICTURES * spp).into_par_iter().map(picture).collect() }
     }
 
     pub fn pixel(&self, x: u32, y: u32, _frame: u32) -> CandidatesPixel<'_> {
@@ -39,9 +40,10 @@ impl Candidates {
 }
 
 impl CandidatesPixel<'_> {
-    pub fn draw<const D: usize>(&self, domain: u32, index: u32) -> [f32; D] {
-        let sample = self.all.pictures[(index * self.all.domains + domain) as usize][self.pixel];
-        core::array::from_fn(|k| unit::to_f32(sample[k]))
+    pub fn draw<const D: usize>(&self, _domain: u32, index: u32) -> [f32; D] {
+        const { assert!(D < 2 * PICTURES as usize, "there are no more pictures") };
+        let sample = |k: usize| self.all.pictures[index as usize * PICTURES as usize + k / 2][self.pixel][k % 2];
+        core::array::from_fn(|k| unit::to_f32(sample(k)))
     }
 }
 

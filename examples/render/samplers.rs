@@ -10,10 +10,8 @@ use crate::scene::{Dimensions, Sample, Scene};
 use bluedither::sampler::WhitePixel;
 use bluedither::{Dithered, Sampler, White};
 
-/// What the numbers are for: different domains are decorrelated.
-const TIME: u32 = 0;
-const LENS: u32 = 1;
-const LIGHT: u32 = 2;
+/// What the numbers are for: a domain has up to eight, which go together; lens, light and time here.
+const CAMERA: u32 = 0;
 
 /// One picture to render.
 pub struct Job<'a> {
@@ -49,10 +47,9 @@ macro_rules! samplers {
                         let pixel = sampler.pixel(x, y, job.arguments.frame);
                         let mut sum = glam::Vec3A::ZERO;
                         for index in 0..job.spp {
-                            let [time] = pixel.draw::<1>(TIME, index);
-                            let lens = pixel.draw::<2>(LENS, index);
-                            let light = pixel.draw::<2>(LIGHT, index);
-                            sum += job.scene.radiance(x, y, Sample { time, lens, light }.only(job.dimensions));
+                            let [u, v, a, b, time] = pixel.draw::<5>(CAMERA, index);
+                            let sample = Sample { time, lens: [u, v], light: [a, b] };
+                            sum += job.scene.radiance(x, y, sample.only(job.dimensions));
                         }
                         sum / job.spp as f32
                     })
@@ -66,7 +63,7 @@ macro_rules! samplers {
 samplers! { |masks, seed, spp, size|
     "constant" => Constant(White::with_spp(seed, spp)),
     "white" => White::with_spp(seed, spp),
-    "best-candidate" => Candidates::new(seed, size, [LENS, LIGHT + 1], spp),
+    "best-candidate" => Candidates::new(seed, size, spp),
     "low-global" => masks.low().dithered(seed).global(),
     "low-stratified" => masks.low().dithered(seed).stratified(spp),
     "all-global" => masks.all().dithered(seed).global(),

@@ -12,6 +12,10 @@ pub(crate) mod seeds {
     pub(crate) const HALF_PLANE_2D: u64 = 0x5e51_4000;
     /// Shuffles and white noise of the analysis itself.
     pub(crate) const WHITE: u64 = 0x5e51_5000;
+    /// Integrands of several dimensions, one a family from there on.
+    pub(crate) const SEVERAL: u64 = 0x5e51_8000;
+    /// The points that integrate what has no formula.
+    pub(crate) const INTEGRATION: u64 = 0x5e51_9000;
 }
 
 /// A stream of random numbers.

@@ -15,15 +15,27 @@ pub struct Arguments {
     parts: Vec<Part>,
 
     /// Samplers, a list; "white" is always measured, since the others are held against it
-    #[arg(long, value_delimiter = ',', value_parser = PossibleValuesParser::new(samplers::NAMES))]
-    only: Vec<String>,
+    #[arg(long, alias = "only", value_delimiter = ',', value_parser = PossibleValuesParser::new(samplers::NAMES))]
+    samplers: Vec<String>,
 
     /// Fewer seeds and sample counts: at most a minute
     #[arg(long)]
     pub quick: bool,
 
+    /// Samples per pixel of the parts "several" and "tracer", a list [default: powers of two, of four, up to 64]
+    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=4096))]
+    spp: Vec<u32>,
+
+    /// Seeds of every error figure [default: 16, of the parts "several" and "tracer" 8]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=1024))]
+    seeds: Option<u32>,
+
+    /// A standard error beside every figure of the parts "several" and "tracer"
+    #[arg(long)]
+    pub errors: bool,
+
     /// A file whose blocks between markers are filled anew; needs the parts "error" and "speed" of all samplers
-    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    #[arg(long, conflicts_with_all = ["quick", "samplers"])]
     pub readme: Option<PathBuf>,
 
     /// The first of the seeds
@@ -40,7 +52,9 @@ pub struct Arguments {
 }
 
 const EXAMPLE: &str = "Example: the error table of one sampler, beside white noise
-  cargo run --release -p report -- --only dithered error";
+  cargo run --release -p report -- --samplers dithered error
+Eight dimensions at once, at every number of samples that is asked about
+  cargo run --release -p report -- several --samplers sampler,sobol-z --spp 1,2,3,4,5,6,7,8,9,12,16,20,32,64,100,256";
 
 /// A part of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -71,8 +85,10 @@ pub enum Part {
     Masks,
     /// Nanoseconds a dithered pixel, beside a copy of memory
     Dither,
-    /// Integrands of 4 and 8 dimensions, over domains
-    Domains,
+    /// Several dimensions at once: families of integrands, local spikes, every cell that is worse than white noise
+    Several,
+    /// A path tracer: direct light, two and five vertices; also through a reconstruction filter
+    Tracer,
     /// Edges that move over the screen
     Edges,
     /// The render example's scene, by what is sampled, and after a denoiser
@@ -83,8 +99,27 @@ impl Arguments {
     /// The chosen samplers in the order of the tables.
     pub fn samplers(&self) -> Vec<&'static str> {
         let chosen =
-            |name: &str| self.only.is_empty() || name == samplers::WHITE || self.only.iter().any(|s| s == name);
+            |name: &str| self.samplers.is_empty() || name == samplers::WHITE || self.samplers.iter().any(|s| s == name);
         samplers::NAMES.iter().copied().filter(|name| chosen(name)).collect()
+    }
+
+    /// The same, and of each sampler its progressive form.
+    pub fn samplers_and_twins(&self) -> Vec<&'static str> {
+        let names = self.samplers();
+        let is_twin = |name: &str| name.strip_suffix("-progressive").is_some_and(|known| names.contains(&known));
+        samplers::NAMES.iter().copied().filter(|name| names.contains(name) || is_twin(name)).collect()
+    }
+
+    /// Samples per pixel that are asked for, each once, the least first.
+    pub fn spp(&self) -> Option<Vec<u32>> {
+        let mut spp = self.spp.clone();
+        spp.sort_unstable();
+        spp.dedup();
+        (!spp.is_empty()).then_some(spp)
+    }
+
+    pub fn chosen_seeds(&self) -> Option<u32> {
+        self.seeds
     }
 
     pub fn has(&self, part: Part) -> bool {
@@ -94,7 +129,7 @@ impl Arguments {
 
     /// Seeds of every error figure.
     pub fn seeds(&self) -> u32 {
-        if self.quick { 2 } else { 16 }
+        self.seeds.unwrap_or(if self.quick { 2 } else { 16 })
     }
 
     /// Samples per pixel of the error figures.

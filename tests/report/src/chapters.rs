@@ -9,8 +9,8 @@ use crate::samplers;
 use crate::speed::{self, Speeds};
 use crate::table::Table;
 use crate::{
-    builds, charts, classic, dither_part, domains, edges, instructions, masks_part, scene_part, set_up, shader_cost,
-    singles, time_part,
+    builds, charts, classic, dither_part, edges, instructions, masks_part, scene_part, set_up, several, shader_cost,
+    singles, time_part, tracer_part,
 };
 
 /// The page's chapters, and files of numbers beside their tables.
@@ -24,7 +24,7 @@ pub struct Report {
 }
 
 /// Runs every part that was asked for.
-pub fn measure(arguments: &Arguments) -> Report {
+pub fn measure(arguments: &Arguments) -> Result<Report, String> {
     let names = arguments.samplers();
     let bench = Bench::new();
     let mut report = Report { chapters: Vec::new(), csv: Vec::new(), errors: None, speeds: None };
@@ -40,6 +40,11 @@ pub fn measure(arguments: &Arguments) -> Report {
         report.csv.push(("error.csv", errors.csv()));
         report.chapters.extend(error_chapters(&errors, speeds.as_ref()));
         report.errors = Some(errors);
+    }
+    if arguments.has(Part::Several) {
+        let (chapter, csv) = several::chapter(arguments)?;
+        report.csv.push(("several.csv", csv));
+        report.chapters.push(chapter);
     }
     if arguments.has(Part::Scene) {
         // Second, after the main picture: it is what people look at.
@@ -79,9 +84,9 @@ pub fn measure(arguments: &Arguments) -> Report {
     if arguments.has(Part::Classic) {
         add("Classic integrands", "Of the literature, one by one.", classic::tables(&bench, &names, few));
     }
-    if arguments.has(Part::Domains) {
-        let text = "One integrand takes the numbers of several pairs and domains. 1: they decorrelate.";
-        add("Many dimensions", text, domains::tables(&names, few));
+    if arguments.has(Part::Tracer) {
+        let text = "A box, two spheres, a lamp. The numbers of a vertex are one domain, those of camera and first vertex together.";
+        add("A path tracer", text, tracer_part::tables(arguments));
     }
     if arguments.has(Part::Edges) {
         let text = "Dithering lives on neighbours that integrate nearly the same: how much of that is needed?";
@@ -114,7 +119,7 @@ pub fn measure(arguments: &Arguments) -> Report {
     if arguments.has(Part::Dither) {
         report.chapters.push(dither_part::chapter(arguments.quick));
     }
-    report
+    Ok(report)
 }
 
 /// What was measured, or a line that says why nothing was.

@@ -68,7 +68,7 @@ pub fn mean(values: &[f64]) -> Value {
 }
 
 /// √(a/b), with the error that the errors of both leave (to first order).
-fn root_of_ratio(a: Value, b: Value) -> Value {
+pub fn root_of_ratio(a: Value, b: Value) -> Value {
     if a.mean <= 0.0 || b.mean <= 0.0 {
         return Value { mean: 0.0, error: 0.0 };
     }

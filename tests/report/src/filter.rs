@@ -12,7 +12,7 @@ pub enum Filter {
 }
 
 /// All filters that are measured.
-pub const FILTERS: [Filter; 8] = [
+pub const FILTERS: [Filter; 9] = [
     Filter::Gauss(1.0),
     Filter::Gauss(1.485),
     Filter::Gauss(2.1),
@@ -21,6 +21,7 @@ pub const FILTERS: [Filter; 8] = [
     Filter::Box(3),
     Filter::Box(5),
     Filter::Gauss(2.0),
+    Filter::Gauss(8.0),
 ];
 
 /// The place of the filter of the main tables.

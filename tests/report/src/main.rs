@@ -19,7 +19,6 @@ mod checks;
 mod classic;
 mod denoise;
 mod dither_part;
-mod domains;
 mod edges;
 mod error_part;
 mod family;
@@ -53,6 +52,7 @@ mod samplers;
 mod scene;
 mod scene_part;
 mod set_up;
+mod several;
 mod shader_cost;
 mod shape;
 #[path = "../../../examples/render/shapes.rs"]
@@ -62,6 +62,8 @@ mod singles;
 mod speed;
 mod table;
 mod time_part;
+mod tracer;
+mod tracer_part;
 #[cfg(test)]
 mod unbiased;
 #[path = "../../../src/bake/void_and_cluster.rs"]
@@ -93,7 +95,7 @@ fn run(arguments: &Arguments) -> Result<(), String> {
     let start = Instant::now();
     // Before the minutes of measuring, not after.
     std::fs::create_dir_all(&arguments.out).map_err(|error| cannot_write(&arguments.out, &error))?;
-    let chapters::Report { chapters, csv, errors, speeds } = chapters::measure(arguments);
+    let chapters::Report { chapters, csv, errors, speeds } = chapters::measure(arguments)?;
     if let (Some(path), Some(errors), Some(speeds)) = (&arguments.readme, &errors, &speeds) {
         readme::update(path, readme::Figures { errors, speeds })?;
     }

@@ -1,17 +1,49 @@
 //! The samplers that are measured: one line each.
 
 use crate::peers::{
-    Cycles, CyclesPixel, Heitz, HeitzPixel, Pbrt, PbrtPixel, Pcg, PcgPixel, Rand, RandPixel, RandomPattern,
-    RandomPatternPixel, SobolBurley, SobolBurleyPixel,
+    Cycles, CyclesPixel, Heitz, HeitzPixel, JointSobol, JointSobolPixel, OpenQmc, OpenQmcPixel, Pbrt, PbrtPixel, Pcg,
+    PcgPixel, Rand, RandPixel, RandomPattern, RandomPatternPixel, SobolBurley, SobolBurleyPixel, SobolZ, SobolZPixel,
 };
 use crate::shape::{Task, pixels, shapes};
 use bluedither::sampler::{DitheredPixel, KeyedPixel, LinearPixel, WhitePixel};
 use bluedither::{Dithered, Keyed, Sampler, White, tables};
+use openqmc::{LatticeBnSampler, PmjBnSampler, SobolBnSampler};
 
 /// The control that all others are held against.
 pub const WHITE: &str = "white";
+/// What this crate recommends, for known and unknown numbers of samples.
+pub const OURS: [&str; 2] = ["sampler", "sampler-progressive"];
 /// What is drawn fainter than the crate's own.
-pub const PEERS: [&str; 7] = ["dithered-random", "pcg", "rand", "sobol_burley", "heitz-2019", "cycles-z", "pbrt-z"];
+pub const PEERS: [&str; 12] = [
+    "dithered-random",
+    "pcg",
+    "rand",
+    "sobol-joint",
+    "sobol_burley",
+    "heitz-2019",
+    "openqmc-sobol-bn",
+    "openqmc-lattice-bn",
+    "openqmc-pmj-bn",
+    "cycles-z",
+    "pbrt-z",
+    "sobol-z",
+];
+/// Those whose first samples do not depend on how many there will be.
+pub const PROGRESSIVE: [&str; 13] = [
+    WHITE,
+    "sampler-progressive",
+    "dithered-progressive",
+    "keys",
+    "lattice",
+    "dithered-random",
+    "pcg",
+    "rand",
+    "sobol-joint",
+    "sobol_burley",
+    "openqmc-sobol-bn",
+    "openqmc-lattice-bn",
+    "openqmc-pmj-bn",
+];
 
 macro_rules! samplers {
     (|$seed:ident, $spp:ident| $($name:literal => $sampler:expr $(; $bytes:expr)?,)*) => {
@@ -44,6 +76,8 @@ const KEYS: usize = size_of_val(&tables::KEYS_64) + LINEAR + 256 * 8;
 const LINEAR: usize = size_of_val(&tables::LINEAR_ORDER);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
+/// A table of keys and ranks for 256 × 256 pixels.
+const OPENQMC: usize = 256 * 256 * 8;
 
 // Any expression of a type that is listed below; then the bytes of its tables, if it has any.
 samplers! { |seed, spp|
@@ -58,10 +92,15 @@ samplers! { |seed, spp|
     "dithered-random" => RandomPattern::new(seed); OFFSETS,
     "pcg" => Pcg::new(seed),
     "rand" => Rand::new(seed),
+    "sobol-joint" => JointSobol::new(seed); 8 * 32 * 4,
     "sobol_burley" => SobolBurley::new(seed); 256 * 16 * 4,
     "heitz-2019" => Heitz::with_spp(seed, spp); RELEASE,
+    "openqmc-sobol-bn" => OpenQmc::<SobolBnSampler>::new(seed); OPENQMC,
+    "openqmc-lattice-bn" => OpenQmc::<LatticeBnSampler>::new(seed); OPENQMC,
+    "openqmc-pmj-bn" => OpenQmc::<PmjBnSampler>::new(seed); OPENQMC,
     "cycles-z" => Cycles::with_spp(seed, spp),
     "pbrt-z" => Pbrt::with_spp(seed, spp),
+    "sobol-z" => SobolZ::with_spp(seed, spp); 8 * 32 * 4,
 }
 
 shapes! {
@@ -72,13 +111,20 @@ shapes! {
     RandomPattern, RandomPatternPixel;
     Pcg, PcgPixel;
     Rand, RandPixel;
+    JointSobol, JointSobolPixel;
     SobolBurley, SobolBurleyPixel;
     Heitz, HeitzPixel;
+    OpenQmc<SobolBnSampler>, OpenQmcPixel<SobolBnSampler>;
+    OpenQmc<LatticeBnSampler>, OpenQmcPixel<LatticeBnSampler>;
+    OpenQmc<PmjBnSampler>, OpenQmcPixel<PmjBnSampler>;
     Cycles, CyclesPixel;
     Pbrt, PbrtPixel;
+    SobolZ, SobolZPixel;
 }
 
 pixels! {
     WhitePixel; LinearPixel; DitheredPixel<'static>; KeyedPixel<'static>;
-    RandomPatternPixel; PcgPixel; RandPixel; SobolBurleyPixel; HeitzPixel; CyclesPixel; PbrtPixel;
+    RandomPatternPixel; PcgPixel; RandPixel; JointSobolPixel; SobolBurleyPixel;
+    HeitzPixel; OpenQmcPixel<SobolBnSampler>; OpenQmcPixel<LatticeBnSampler>; OpenQmcPixel<PmjBnSampler>; CyclesPixel;
+    PbrtPixel; SobolZPixel;
 }

@@ -17,7 +17,7 @@ use image::imageops;
 use std::hint::black_box;
 use std::time::Instant;
 
-const SIZE: [u32; 2] = [192, 128];
+pub const SIZE: [u32; 2] = [192, 128];
 const COUNTS: [u32; 3] = [1, 4, 16];
 /// Samples of the pictures on the page, and the part of the scene that they show.
 const SHOWN: u32 = 4;
@@ -28,16 +28,16 @@ const BUDGET: u32 = 16;
 /// Samples that are drawn at once.
 const RUN: usize = 16;
 
-/// What the numbers are for.
-const TIME: u32 = 0;
-const LENS: u32 = 1;
-const LIGHT: u32 = 2;
+/// What the numbers are for: lens, light and time, which one sample takes together.
+const CAMERA: u32 = 0;
+pub const ALL_DIMENSIONS: Dimensions = Dimensions { time: true, lens: true, light: true };
 
-struct Render<'a> {
-    scene: &'a Scene,
-    dimensions: Dimensions,
-    spp: u32,
-    seed: u32,
+/// A picture of the scene.
+pub struct Render<'a> {
+    pub scene: &'a Scene,
+    pub dimensions: Dimensions,
+    pub spp: u32,
+    pub seed: u32,
 }
 
 impl Task for Render<'_> {
@@ -47,15 +47,14 @@ impl Task for Render<'_> {
         let made = make(self.seed, self.spp);
         Image::render(SIZE, |x, y| {
             let pixel = made.pixel(x, y, 0);
-            let (mut times, mut lenses, mut lights) = ([[0.0]; RUN], [[0.0; 2]; RUN], [[0.0; 2]; RUN]);
+            let mut samples = [[0.0; 5]; RUN];
             let mut sum = Vec3A::ZERO;
             for first in (0..self.spp).step_by(RUN) {
-                let count = RUN.min((self.spp - first) as usize);
-                pixel.fill(TIME, first, &mut times[..count]);
-                pixel.fill(LENS, first, &mut lenses[..count]);
-                pixel.fill(LIGHT, first, &mut lights[..count]);
-                for ((&[time], &lens), &light) in times.iter().zip(&lenses).zip(&lights).take(count) {
-                    sum += self.scene.radiance(x, y, Sample { time, lens, light }.only(self.dimensions));
+                let samples = &mut samples[..RUN.min((self.spp - first) as usize)];
+                pixel.fill(CAMERA, first, samples);
+                for &mut [u, v, a, b, time] in samples {
+                    let sample = Sample { time, lens: [u, v], light: [a, b] };
+                    sum += self.scene.radiance(x, y, sample.only(self.dimensions));
                 }
             }
             sum / self.spp as f32

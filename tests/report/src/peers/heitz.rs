@@ -35,7 +35,8 @@ releases! { spp1 spp2 spp4 spp8 spp16 spp32 spp64 spp128 spp256 }
 
 /// The release of the next power of two; counts above 256 take the last and repeat.
 ///
-/// It has no seed: here the seed picks one of its four optimised pairs of dimensions and moves the tile.
+/// It has no seed: here the seed picks one of its four optimised pairs of dimensions and moves the tile. A domain has the
+/// eight dimensions that it was made for, and the tile at a place of its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Heitz {
     release: &'static Release,
@@ -45,7 +46,9 @@ pub struct Heitz {
 #[derive(Clone, Copy, Debug)]
 pub struct HeitzPixel {
     release: &'static Release,
-    place: usize,
+    offset: u32,
+    x: u32,
+    y: u32,
     first: u32,
 }
 
@@ -58,8 +61,7 @@ impl Heitz {
     #[inline]
     pub fn pixel(&self, x: u32, y: u32, frame: u32) -> HeitzPixel {
         let offset = bluedither::hash::combine(self.seed, frame);
-        let (x, y) = (x.wrapping_add(offset) & 127, y.wrapping_add(offset >> 16) & 127);
-        HeitzPixel { release: self.release, place: 8 * (x + 128 * y) as usize, first: 2 * (self.seed & 3) }
+        HeitzPixel { release: self.release, offset, x, y, first: 2 * (self.seed & 3) }
     }
 }
 
@@ -67,10 +69,14 @@ impl HeitzPixel {
     #[inline]
     fn pair(self, pair: u32, index: u32) -> [f32; 2] {
         let Release { sobol, scrambling, ranking } = self.release;
+        // A product, which is as good as free: a renderer would have constants here.
+        let offset = self.offset.wrapping_add((pair / 4).wrapping_mul(0x9e37_79b1));
+        let (x, y) = (self.x.wrapping_add(offset) & 127, self.y.wrapping_add(offset >> 16) & 127);
+        let place = 8 * (x + 128 * y) as usize;
         let first = self.first.wrapping_add(2 * pair) & 255;
         core::array::from_fn(|k| {
             let dimension = first as usize + k;
-            let at = self.place + (dimension & 7);
+            let at = place + (dimension & 7);
             let ranked = (index & 255) as usize ^ ranking[at] as usize;
             (f32::from(sobol[dimension + 256 * ranked] ^ scrambling[at]) + 0.5) / 256.0
         })

@@ -1,10 +1,12 @@
 //! What people use today, in the call shape of the crate, so that one list holds all.
 //!
-//! Three are packages, the others are written anew from the published descriptions. Each pixel type has
-//! `pair(self, pair, index)` for pairs of dimensions 0, 1, 2, …: a domain has two of them.
+//! Four are packages, the others are written anew from the published descriptions. Each pixel type has
+//! `pair(self, pair, index)` for pairs of dimensions 0, 1, 2, …: a domain has four of them.
 
 mod cycles;
 mod heitz;
+pub mod joint;
+mod openqmc;
 mod pbrt;
 mod pcg;
 mod rand;
@@ -13,6 +15,8 @@ mod sobol_burley;
 
 pub use cycles::{Cycles, CyclesPixel};
 pub use heitz::{Heitz, HeitzPixel};
+pub use joint::{JointSobol, JointSobolPixel, SobolZ, SobolZPixel};
+pub use openqmc::{OpenQmc, OpenQmcPixel};
 pub use pbrt::{Pbrt, PbrtPixel};
 pub use pcg::{Pcg, PcgPixel};
 pub use rand::{Rand, RandPixel};
@@ -27,7 +31,7 @@ macro_rules! draws {
             pub fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
                 let mut out = [0.0; D];
                 for k in 0..D.div_ceil(2) {
-                    let pair = self.pair(2 * domain + k as u32, index);
+                    let pair = self.pair(4 * domain + k as u32, index);
                     out[2 * k..].iter_mut().zip(pair).for_each(|(out, value)| *out = value);
                 }
                 out

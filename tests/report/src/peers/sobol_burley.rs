@@ -2,7 +2,7 @@
 
 use bluedither::hash;
 
-/// A seed of every pixel's own; a domain is one of the package's 64 sets of four dimensions.
+/// A seed of every pixel's own; a domain is two of the package's 64 sets of four dimensions.
 #[derive(Clone, Copy, Debug)]
 pub struct SobolBurley {
     seed: u32,
@@ -29,12 +29,15 @@ impl SobolBurleyPixel {
     /// Up to 65536 samples; one number by `sample`, more by `sample_4d`.
     #[inline]
     pub fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
-        let (set, index) = (domain % sobol_burley::NUM_DIMENSION_SETS_4D, index & 0xffff);
+        let (set, index) = (2 * domain % sobol_burley::NUM_DIMENSION_SETS_4D, index & 0xffff);
         if D == 1 {
             return [sobol_burley::sample(index, 4 * set, self.seed); D];
         }
-        let all = sobol_burley::sample_4d(index, set, self.seed);
-        core::array::from_fn(|k| all[k])
+        let mut out = [0.0; D];
+        for (set, out) in (set..).zip(out.chunks_mut(4)) {
+            out.copy_from_slice(&sobol_burley::sample_4d(index, set, self.seed)[..out.len()]);
+        }
+        out
     }
 
     super::fill!();
