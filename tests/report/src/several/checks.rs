@@ -8,6 +8,7 @@ use super::tables;
 use crate::analysis::random::seeds;
 use crate::figures::Value;
 use crate::samplers::WHITE;
+use clap::Parser;
 
 /// White noise against white noise of other seeds, from one domain and from several: 1, and spikes of chance.
 #[test]
@@ -107,4 +108,23 @@ fn harm_is_listed() {
     assert_eq!(count.rows, [["sampler", "4 of 110", "2 of 20"]]);
     let families: Vec<&str> = list.rows.iter().map(|row| row[2].as_str()).collect();
     assert_eq!(families, [Id::Light, Id::Light, Id::Own, Id::Own].map(|id| id.family().name));
+}
+
+/// The chapter itself, quickly: a picture of six families beside each other, every figure in one file.
+#[test]
+fn a_run_writes_figures_and_pictures() {
+    let out = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/report-several-check");
+    _ = std::fs::remove_dir_all(&out);
+    let path = out.to_str().expect("a path in UTF-8");
+    let words =
+        ["report", "several", "--quick", "--samplers", "sampler", "--spp", "2,1", "--seeds", "2", "--out", path];
+    crate::run(&crate::arguments::Arguments::parse_from(words)).expect("a run");
+    let text = std::fs::read_to_string(out.join("several.csv")).expect("figures");
+    // Three samplers, two forms, two numbers of samples; of each family W after five filters and two spikes.
+    assert_eq!(text.lines().count(), 1 + 3 * 2 * 2 * FAMILIES.len() * (SIGMAS.len() + 2));
+    assert!(!text.contains("NaN") && !text.contains("inf"), "a figure is no number");
+    let goals = std::fs::read_to_string(out.join("several-goals.csv")).expect("goals");
+    assert_eq!(goals.lines().count(), 1 + 2 * 8, "{goals}");
+    let picture = image::open(out.join("several/sampler-progressive-several-domains-001spp.png")).expect("a picture");
+    assert_eq!([picture.width(), picture.height()], [6 * 512 + 5 * 8, 512]);
 }

@@ -38,7 +38,7 @@ pub fn spikes(results: &Results) -> Vec<Table> {
             id: format!("several-spikes-{}", slug(form.name())),
             title: format!("Local spike, {}", form.name()),
             about: "Strongest frequency over the mean in windows of 32×32 pixels of an error image: the median of the \
-                    family that is worst in that, and the worst window of all plain families. White noise: 7 and 14."
+                    family that is worst in that, and the worst window of all plain families. White noise: 7, and 13 to 24 by how rare its errors are."
                 .into(),
             ..rows(results, form, cell)
         }
