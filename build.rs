@@ -23,6 +23,9 @@ mod lattice;
 #[path = "src/linear.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod linear;
+#[path = "src/net.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod net;
 #[path = "src/sobol.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod sobol;
@@ -36,6 +39,7 @@ use std::time::Instant;
 use bake::filter::{self, Filter};
 use bake::inputs::Inputs;
 use bake::linear_order::LinearOrder;
+use bake::net::Net;
 use bake::recipe::Recipe;
 use bake::record::Digests;
 use effort::Effort;
@@ -55,7 +59,7 @@ fn run() -> Result<(), String> {
     let counts: Vec<usize> =
         bake::directions::COUNTS.into_iter().filter(|&count| asked_for(&bake::directions::name(count))).collect();
     let tables = Path::new(&var("CARGO_MANIFEST_DIR")).join("tables");
-    let mut text = bake::embed::effort(effort);
+    let mut text = bake::embed::effort(effort) + &Net::read(&tables)?.embed();
     if recipes.is_empty() {
         // Nothing else is read: that is how damaged inputs can be recorded anew.
         text += &LinearOrder::read(&tables)?.embed();

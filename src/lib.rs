@@ -6,9 +6,8 @@
 //!
 //! # Limits
 //! - It pays off where the picture is smooth over a few pixels; at edges and in fine texture the error is white.
-//! - One dimension pair of a domain is optimised as a pair; the joint error of many dimensions is white, and at one
-//!   sample per pixel, or in the first two of many, related over blocks of 32×32 pixels
-//!   (see [`Sampler`]).
+//! - Draw from one domain what a picture needs together: its eight numbers are blue together, what several domains do
+//!   together is white (see [`Sampler`]).
 //! - The masks of [`Dithered`] repeat every 64×64 pixels and pay off at 1 to 9 samples per pixel.
 //! - Not for cryptography or statistics: neighbouring pixels are correlated on purpose.
 //!
@@ -16,17 +15,17 @@
 //! ```
 //! use bluedither::Sampler;
 //!
-//! const LENS: u32 = 0; // a domain names what the numbers are for:
-//! const TIME: u32 = 1; // different domains are decorrelated
+//! const CAMERA: u32 = 0; // a domain names what its numbers are for, which are blue together:
+//! const LIGHT: u32 = 1; // different domains are decorrelated
 //!
 //! let (seed, spp, frame) = (1, 4, 0);
 //! let sampler = Sampler::with_spp(seed, spp); // or Sampler::new(seed), if the number is not known
 //! for (x, y) in [(0, 0), (1, 0)] {
 //!     let pixel = sampler.pixel(x, y, frame);
 //!     for index in 0..spp {
-//!         let [u, v] = pixel.draw::<2>(LENS, index); // f32 in [0, 1)
-//!         let [t] = pixel.draw::<1>(TIME, index);
-//!         assert!(u < 1.0 && v < 1.0 && t < 1.0);
+//!         let [u, v, t] = pixel.draw::<3>(CAMERA, index); // f32 in [0, 1); up to eight
+//!         let [a, b] = pixel.draw::<2>(LIGHT, index);
+//!         assert!(u < 1.0 && v < 1.0 && t < 1.0 && a < 1.0 && b < 1.0);
 //!     }
 //! }
 //! ```
@@ -92,7 +91,7 @@
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`White`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`linear`], [`zorder`], [`lattice`],
+//! [`Sampler`], [`White`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`linear`], [`net`], [`zorder`], [`lattice`],
 //! [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), and [`Dithered`] and [`Keyed`] by masks and keys of
 //! your own.
 //!
@@ -121,6 +120,7 @@ pub mod keys;
 pub mod lattice;
 pub mod linear;
 pub mod mask;
+pub mod net;
 #[cfg(feature = "pattern")]
 pub mod pattern;
 pub mod sampler;

@@ -389,11 +389,6 @@ static inline uint32_t bd_domain_own(uint32_t domain, uint32_t pad) {
     return domain ^ pad * UINT32_C(0x5bd1e995);
 }
 
-/* The 64 bits of a domain's own. */
-static inline uint64_t bd_domain_word(uint64_t seed, uint32_t domain, uint32_t pad) {
-    return seed * (bd_hash_mix_64(bd_domain_own(domain, pad)) | 1);
-}
-
 /* The first `count` numbers of a domain at an index, by the points of its four pairs, two numbers each. */
 #define BD_PADDED(sampler)                                                                                             \
     static inline void sampler##_numbers(const sampler##_pixel_t *pixel, uint32_t domain, uint32_t index,              \
@@ -442,7 +437,7 @@ static inline uint64_t bd_domain_word(uint64_t seed, uint32_t domain, uint32_t p
     BD_DRAW(sampler, 7)                                                                                                \
     BD_DRAW(sampler, 8)
 
-/* ---- linear: the columns of the linear pixel order ---- */
+/* ---- linear: the sequence of Keyed ---- */
 
 @linear@
 
@@ -461,48 +456,59 @@ static inline void bd_linear_point_rev(uint32_t index_rev, uint32_t out[2]) {
     }
 }
 
-/* The digits that a pixel of a block of 32x32 adds to all its points. */
-static inline uint32_t bd_linear_digits(const uint32_t columns[10], uint32_t x, uint32_t y) {
-    uint32_t sum = 0, bit;
-    for (bit = 0; bit < 5; bit++) {
-        sum ^= columns[2 * bit] & (0 - (x >> bit & 1));
-        sum ^= columns[2 * bit + 1] & (0 - (y >> bit & 1));
+/* ---- net: the columns of the joint net ---- */
+
+@net@
+
+/* Adds, modulo 2, the first `count` columns for the bits that are set, to the first `words` words of a sum. */
+static inline void bd_net_add_columns(uint32_t sum[4], const uint32_t columns[][4], uint32_t count, uint32_t bits,
+                                      uint32_t words) {
+    uint32_t bit, k;
+    for (bit = 0; bit < count; bit++) {
+        const uint32_t mask = 0 - (bits >> bit & 1);
+        for (k = 0; k < words; k++) {
+            sum[k] ^= columns[bit][k] & mask;
+        }
     }
-    return sum;
 }
 
-/* ---- sampler: the linear pixel order, recommended ---- */
+/* ---- sampler: the joint net, recommended ---- */
 
+/* `bits` of a sample's number stand below those of the frame; `known`: whether the number of samples is. */
 typedef struct {
-    const uint32_t (*sets)[10];
-    uint32_t flips_rev, seed;
+    const uint32_t (*columns)[4];
+    uint32_t bits, known, seed;
 } bd_sampler_t;
 
+/* The seed is that of all frames of one sequence; the frame's digits of a sample's number are `first`, or `digits`. */
 typedef struct {
-    const uint32_t (*sets)[10];
+    const uint32_t (*columns)[4];
     uint64_t seed;
-    uint32_t flips_rev, own, x, y;
+    uint32_t x, y, first, ranks, digits[4];
 } bd_sampler_pixel_t;
 
 /* Progressive: every power of two is a good moment to stop. */
 static inline bd_sampler_t bd_sampler_new(uint32_t seed) {
     bd_sampler_t sampler;
-    sampler.sets = bd_linear_orders[9];
-    sampler.flips_rev = 0;
+    sampler.columns = bd_net_orders[8];
+    sampler.bits = 0;
+    sampler.known = 0;
     sampler.seed = seed;
     return sampler;
 }
 
-/* `spp` samples per pixel, a power of two up to 256 (0 counts as 1), bluer than by bd_sampler_new once all are drawn;
- * other numbers are drawn as by that. */
+/* `spp` samples per pixel, a power of two up to 64, or 256 (0 counts as 1), bluer than by bd_sampler_new once all are
+ * drawn; other numbers are drawn as by that. */
 static inline bd_sampler_t bd_sampler_with_spp(uint32_t seed, uint32_t spp) {
     bd_sampler_t sampler = bd_sampler_new(seed);
     uint32_t k;
     spp = spp == 0 ? 1 : spp;
-    for (k = 0; k < 9; k++) {
-        if (spp == UINT32_C(1) << k) {
-            sampler.sets = bd_linear_orders[k];
-            sampler.flips_rev = bd_hash_reverse_bits(spp - 1);
+    for (k = 0; k < 8; k++) {
+        const uint32_t bits = k == 7 ? 8 : k;
+        if (spp == UINT32_C(1) << bits) {
+            sampler.columns = bd_net_orders[k];
+            sampler.bits = bits;
+            sampler.known = 1;
         }
     }
     return sampler;
@@ -510,39 +516,74 @@ static inline bd_sampler_t bd_sampler_with_spp(uint32_t seed, uint32_t spp) {
 
 /* The samples of one pixel in one frame. */
 static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
-    const uint64_t seed = bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame);
+    const uint32_t own = sampler.known ? 16 - sampler.bits : 15;
+    const uint32_t now = frame & ((UINT32_C(1) << own) - 1);
     bd_sampler_pixel_t pixel;
-    pixel.sets = sampler.sets;
-    pixel.flips_rev = sampler.flips_rev;
-    pixel.seed = seed;
-    pixel.own = bd_hash_mix(((uint32_t)seed + x) ^ (y << 16 | y >> 16));
+    uint32_t k;
+    pixel.columns = sampler.columns;
+    pixel.seed = bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame >> own);
     pixel.x = x;
     pixel.y = y;
+    pixel.first = sampler.known ? now << sampler.bits : 0;
+    pixel.ranks = (UINT32_C(1) << sampler.bits) - 1;
+    for (k = 0; k < 4; k++) {
+        pixel.digits[k] = 0;
+    }
+    if (!sampler.known) {
+        bd_net_add_columns(pixel.digits, bd_net_frames, 15, now, 4);
+    }
     return pixel;
 }
 
-static inline void bd_sampler_point(const bd_sampler_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
-                                    uint32_t out[2]) {
-    /* Every domain lies elsewhere on one plane of 2^32 pixels a side. */
-    const uint64_t there = bd_domain_word(pixel->seed, domain, pad);
-    const uint32_t x = pixel->x + (uint32_t)(there >> 32), low = (uint32_t)there, y = pixel->y + (low << 5 | low >> 27);
-    /* All pixels of a block have one of the sets, transposed or not, numbers swapped or not, and a digital shift. */
-    const uint64_t shift = bd_hash_mix_64(pixel->seed ^ (uint64_t)(y >> 5) << 32 ^ x >> 5);
-    const uint32_t choice = (uint32_t)(shift >> 32);
-    const uint32_t transposed = choice >> 3 & 1, swapped = choice >> 4 & 1;
-    const uint32_t digits = bd_linear_digits(pixel->sets[choice & 7], transposed ? y : x, transposed ? x : y);
+/* The first `count` numbers of a domain at an index. */
+static inline void bd_sampler_numbers(const bd_sampler_pixel_t *pixel, uint32_t domain, uint32_t index, uint32_t count,
+                                      uint32_t *out) {
+    static const uint32_t odd[4] = {UINT32_C(0x9e3779b1), UINT32_C(0x85ebca77), UINT32_C(0xc2b2ae3d),
+                                    UINT32_C(0x27d4eb2f)};
+    const uint32_t words = (count + 1) / 2;
+    const uint64_t key = bd_hash_mix_64(pixel->seed ^ domain * UINT64_C(0x9e3779b97f4a7c15));
+    const uint32_t low = (uint32_t)key, high = (uint32_t)(key >> 32);
+    /* Every domain lies elsewhere on the plane, on a curve of its own. */
+    const uint32_t x = pixel->x + high, y = pixel->y + (high << 16 | high >> 16);
+    const uint32_t place = bd_zorder_morton_16(x >> 2, y >> 2);
+    const uint32_t curve = bd_hash_laine_karras_4(bd_hash_reverse_bits(place), low);
+    const uint32_t swapped = curve * odd[0] >> 31;
+    const uint32_t inside = ((swapped ? y : x) & 3) | ((swapped ? x : y) & 3) << 2;
+    /* The digital shift of 32x32 pixels. */
+    const uint32_t shift = bd_hash_mix((curve & UINT32_C(0x03ffffff)) ^ low);
     /* Each pixel has an order of samples of its own. */
-    const uint64_t random = (choice ^ pixel->own) * UINT64_C(0x9e3779b97f4a7c15);
-    uint32_t point[2];
-    index_rev = bd_hash_shuffle_rev(index_rev, (uint32_t)(random >> 32)) ^ ((uint32_t)random & pixel->flips_rev);
-    bd_linear_point_rev(index_rev, point);
-    point[0] ^= choice ^ (digits & UINT32_C(0xffff0000));
-    point[1] ^= (uint32_t)shift ^ digits << 16;
-    out[0] = point[swapped];
-    out[1] = point[1 - swapped];
+    const uint32_t own = bd_hash_mix(x ^ (y << 16 | y >> 16) ^ high), other = own * odd[1];
+    uint32_t number = (index ^ pixel->first) & 0xffff, rest[4], sum[4], k;
+    number ^= number >> 1 & own;
+    number ^= number >> 2 & own >> 16;
+    number ^= number >> 4 & other >> 8;
+    number ^= number >> 8 & other >> 16;
+    number ^= number >> 1 & own >> 24;
+    number ^= number >> 2 & other;
+    number ^= number >> 4 & other >> 20;
+    number ^= own >> 8 & pixel->ranks;
+    for (k = 0; k < 4; k++) {
+        rest[k] = shift * odd[k] ^ high * odd[3 - k];
+        sum[k] = rest[k] ^ pixel->digits[k];
+    }
+    bd_net_add_columns(sum, pixel->columns, 16, number, words);
+    bd_net_add_columns(sum, pixel->columns + 16, 4, inside, words);
+    bd_net_add_columns(sum, pixel->columns + 20, 6, bd_hash_reverse_bits(curve), words);
+    /* After 2^16 samples another sequence begins. */
+    if (index >> 16 != 0) {
+        const uint64_t next = bd_hash_mix_64(key ^ (uint64_t)(index >> 16) << 32);
+        for (k = 0; k < 4; k++) {
+            const uint32_t anew = (uint32_t)(next >> 32) * odd[k] ^ (uint32_t)next;
+            sum[k] ^= anew;
+            rest[k] ^= anew;
+        }
+    }
+    for (k = 0; k < count; k++) {
+        const uint32_t digits = sum[k / 2], below = rest[(k / 2) ^ 1];
+        out[k] = k % 2 == 0 ? (digits & UINT32_C(0xffff0000)) | (below & 0xffff) : digits << 16 | below >> 16;
+    }
 }
 
-BD_PADDED(bd_sampler)
 BD_CALL_SHAPE(bd_sampler)
 
 /* ---- keyed: scrambling keys of a tile (Heitz et al. 2019) ---- */
@@ -590,15 +631,16 @@ static inline bd_keyed_pixel_t bd_keyed_pixel(bd_keyed_t sampler, uint32_t x, ui
 static inline void bd_keyed_point(const bd_keyed_pixel_t *pixel, uint32_t domain, uint32_t pad, uint32_t index_rev,
                                   uint32_t out[2]) {
     const bd_keyed_t sampler = pixel->sampler;
-    const uint32_t order =
+    const uint32_t seed =
         bd_hash_combine(bd_hash_combine(sampler.seed, bd_domain_own(domain, pad)), pixel->frame);
-    const uint32_t low = bd_hash_mix(order); /* the lower digits are the domain's */
-    uint32_t place[2], key[2];
+    uint32_t place[2], key[2], order;
     bd_torus_offset(sampler.seed, domain, pad, pixel->frame, sampler.keys.size_log2, place);
     bd_keys_key(sampler.keys, pixel->x + place[0], pixel->y + place[1], key);
+    order = ((key[0] | key[1] >> 16) ^ seed) * UINT32_C(0x9e3779b1);
+    order ^= order >> 15; /* the pixel's own; the lower digits are as random */
     bd_linear_point_rev(bd_hash_shuffle_rev(index_rev, order), out);
-    out[0] ^= key[0] | low >> 16;
-    out[1] ^= key[1] | (low & 0xffff);
+    out[0] ^= key[0] | order >> 16;
+    out[1] ^= key[1] | (order & 0xffff);
 }
 
 BD_PADDED(bd_keyed)

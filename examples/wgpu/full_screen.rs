@@ -78,7 +78,7 @@ async fn picture() -> Result<Vec<u8>, String> {
     let (device, queue) = opened.map_err(|error| format!("the device cannot be opened ({error}): {cure}"))?;
 
     // The library's functions, its table's binding, and the shader that uses them.
-    let text: String = shader::SAMPLER.and(shader::WHITE).texts().chain([shader::LINEAR_ORDER.storage, MINE]).collect();
+    let text: String = shader::SAMPLER.and(shader::WHITE).texts().chain([shader::NET.storage, MINE]).collect();
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("soft shadow"),
         source: wgpu::ShaderSource::Wgsl(text.into()),
@@ -107,7 +107,7 @@ async fn picture() -> Result<Vec<u8>, String> {
     });
 
     // Group 0: the table, uploaded once. Group 1: what changes from frame to frame.
-    let words: Vec<u32> = shader::linear_order_words().collect();
+    let words: Vec<u32> = shader::net_words().collect();
     let view: View = [SIZE, 1, 1, 0];
     let buffer = |words: &[u32], usage| {
         let contents = bytemuck::cast_slice(words);
@@ -122,7 +122,7 @@ async fn picture() -> Result<Vec<u8>, String> {
             entries: &[wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() }],
         })
     };
-    let (table, view) = (bind(0, shader::LINEAR_ORDER.binding, &table), bind(1, 0, &view));
+    let (table, view) = (bind(0, shader::NET.binding, &table), bind(1, 0, &view));
 
     let extent = wgpu::Extent3d { width: SIZE, height: SIZE, depth_or_array_layers: 1 };
     let target = device.create_texture(&wgpu::TextureDescriptor {

@@ -240,7 +240,7 @@ fn times<const ROWS: usize>(change: &Words<ROWS>, weight: i32) -> Words<ROWS> {
 }
 
 /// Whether each pixel of a frame is in the other's window, on the torus of `rows` rows (or is the other).
-fn near(p: usize, q: usize, size_log2: u32, frames_log2: u32, rows: usize) -> bool {
+pub(super) fn near(p: usize, q: usize, size_log2: u32, frames_log2: u32, rows: usize) -> bool {
     let (size, row_log2) = (1 << size_log2, size_log2 + frames_log2);
     let dx = (p & (size - 1)).wrapping_sub(q & (size - 1)).wrapping_add(RADIUS) & (size - 1);
     let dy = (p >> row_log2).wrapping_sub(q >> row_log2).wrapping_add(RADIUS) & (rows - 1);

@@ -26,11 +26,11 @@ pub struct Inputs {
     pub features_1d: Vec<Column>,
     /// What [`super::features`] says of two dimensions.
     pub features_2d: Vec<Column>,
-    /// What [`super::keys`] says of 1, 4 and 16 samples, in this order.
+    /// What [`super::keys`] says of 1, 4, 16 and 64 samples, in this order.
     pub features_keys: Vec<Column>,
     /// What [`super::features`] says of shifted lattices.
     pub features_lattice: Vec<Column>,
-    /// What keys begin with.
+    /// What keys are points of.
     pub linear_order: LinearOrder,
     /// Not of a file: what the user says comes after the mask.
     pub filter: Filter,
@@ -66,7 +66,7 @@ impl Inputs {
         let columns = |name, lanes| -> Result<Vec<Column>, String> {
             let list = integers(tables, name, digests)?;
             let column = |row: &[i64]| {
-                let natural = |i: usize| u32::try_from(row[i]).ok().filter(|&n| n < 64);
+                let natural = |i: usize| u32::try_from(row[i]).ok().filter(|&n| n <= 64);
                 Some(Column { samples: natural(0)?, k: [natural(1)?, natural(2)?], weight: row[3] })
             };
             let columns: Option<Vec<Column>> = list.chunks_exact(4).map(column).collect();

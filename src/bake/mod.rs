@@ -12,6 +12,7 @@ pub mod filter;
 pub mod inputs;
 pub mod keys;
 pub mod linear_order;
+pub mod net;
 pub mod quality;
 pub mod recipe;
 pub mod record;

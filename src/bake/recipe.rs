@@ -6,11 +6,10 @@ use rand::rngs::Xoshiro256PlusPlus;
 use super::features::{Column, Pattern};
 use super::filter::Filter;
 use super::inputs::Inputs;
-use super::linear_order::LinearOrder;
 use super::void_and_cluster::{self, Window, void_and_cluster};
 use super::{anneal, features, keys, retarget};
 use crate::effort::Effort;
-use crate::linear;
+use crate::linear::Sequence;
 
 /// What a mask is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +30,7 @@ pub enum Kind {
     Offset2dOverTime,
     /// Swaps that take the threshold mask from one frame's place to the next one's.
     Retargeting,
-    /// Scrambling keys, from the linear order of any number of samples.
+    /// Scrambling keys, for any number of samples.
     Keys,
     /// Shifts of a rank-1 lattice, annealed for 1, 4 and 16 samples at once.
     Lattice,
@@ -189,8 +188,7 @@ impl Recipe {
                 self.bake_offsets(Pattern::Sobol, &inputs.features_2d, effort, inputs)
             }
             Kind::Lattice => self.bake_offsets(Pattern::Lattice, &inputs.features_lattice, effort, inputs),
-            // Ranks below the number of samples do not change their set.
-            Kind::Keys => self.bake_keys(6, linear::ORDERS - 1, effort, inputs),
+            Kind::Keys => self.bake_keys(effort, inputs, &mut rng),
         }
     }
 
@@ -218,28 +216,18 @@ impl Recipe {
         items.iter().flat_map(|&item| set[usize::from(item)][..self.channels()].to_vec()).collect()
     }
 
-    fn bake_keys(self, ranks_log2: u32, order: usize, effort: Effort, inputs: &Inputs) -> Vec<u16> {
-        let LinearOrder { sequence, orders } = &inputs.linear_order;
-        let mut rng = Xoshiro256PlusPlus::seed_from_u64(self.seed());
-        let digits = keys::linear_digits(&orders[order], self.size_log2, &mut rng);
-        let points = keys::points(&linear::Sequence::new(sequence), 1 << ranks_log2);
-        let mut vectors = Vec::new();
-        for (columns, prefix) in inputs.features_keys.chunks(keys::LANES).zip(keys::PREFIXES) {
-            if prefix < 1 << ranks_log2 {
-                vectors.push(keys::vectors(&digits, &points, prefix as usize, columns, &inputs.cosine));
-            }
-        }
+    fn bake_keys(self, effort: Effort, inputs: &Inputs, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
+        let sequence = Sequence::new(&inputs.linear_order.sequence);
+        let points = keys::points(&sequence, 1 << (2 * self.size_log2));
+        let block = |(columns, prefix)| keys::vectors(&points, prefix as usize, columns, &inputs.cosine);
+        let features: Vec<_> = inputs.features_keys.chunks(keys::LANES).zip(keys::PREFIXES).map(block).collect();
         let proposals = match effort {
-            Effort::Quick => 30,
-            Effort::Normal => 1_200,
-            Effort::Thorough => 4_000,
+            Effort::Quick => 50,
+            Effort::Normal => 2_500,
+            Effort::Thorough => 10_000,
         };
-        let kernel = &inputs.anneal_kernel;
-        let ranks = keys::choose_ranks(self.size_log2, ranks_log2, &vectors, kernel, proposals, &mut rng);
-        let pixel = |(digits, rank): (&u32, &u8)| {
-            let key = digits ^ points[usize::from(*rank)];
-            [(key >> 16) as u16, key as u16]
-        };
-        digits.iter().zip(&ranks).flat_map(pixel).collect()
+        let mut numbers = keys::start(self.size_log2, rng);
+        keys::anneal(&mut numbers, &features, &inputs.anneal_kernel, proposals, rng);
+        keys::keys(&sequence, &numbers, rng)
     }
 }

@@ -10,8 +10,11 @@ use crate::{hash, lattice, shift, sobol, strata, torus};
 /// One dimension is taken from a scalar mask, pairs from a two-channel mask, each read at a place of its own for every
 /// domain and frame. Strong at 1 to 9 samples per pixel on what is smooth over the screen; with more the error turns
 /// white, and from 16 on [`White`](crate::White), which has better points, leaves less of it. A draw costs a few
-/// hashes, a look-up and a Sobol point, and with strata a division or more. A mask has as many places as pixels: of
-/// thousands of domains, frames or seeds some two read the same one.
+/// hashes, a look-up and a Sobol point, and with strata a division or more.
+///
+/// A mask has as many places as pixels: of thousands of domains or seeds some two read the same one. Frame after frame all
+/// places are read, then all again in another order and with other values, so that the mean over frames goes on getting
+/// better: at one sample its error is that of independent frames, and from a thousand on less.
 #[derive(Clone, Copy, Debug)]
 pub struct Dithered<'a, const S: usize = 64> {
     scalar: &'a ScalarMask<S>,
@@ -130,21 +133,43 @@ impl<const S: usize> DitheredPixel<'_, S> {
     fn single(self, domain: u32, pad: u32) -> DitheredSingle {
         let (x, y) = self.place(domain, pad);
         let order = self.order(domain, pad, self.sampler.strata_1d);
-        DitheredSingle { order, offset: self.sampler.scalar.value_fx(x, y) }
+        DitheredSingle { order, offset: self.sampler.scalar.value_fx(x, y) ^ flips(self.round_seed(domain, pad)) }
     }
 
     #[inline]
     fn pair(self, domain: u32, pad: u32) -> DitheredPair {
         let (x, y) = self.place(domain, pad);
         let order = self.order(domain, pad, self.sampler.strata_2d);
-        DitheredPair { order, offset: self.sampler.vector.value_fx(x, y), on_lattice: self.sampler.on_lattice }
+        let seed = self.round_seed(domain, pad);
+        let flips = flips(seed);
+        let [u, v] = self.sampler.vector.value_fx(x, y);
+        // Upper digits of both or of none: a pattern that is turned by half a turn is much the same, a mirrored one is not.
+        let offset = [u ^ flips, v ^ flips ^ seed.rotate_left(16) >> 8];
+        DitheredPair { order, offset, on_lattice: self.sampler.on_lattice }
     }
 
-    /// Where the mask is read.
+    /// How often there were as many frames as the mask has places.
+    #[inline]
+    const fn round(self) -> u32 {
+        self.frame >> (2 * ScalarMask::<S>::SIZE_LOG2)
+    }
+
+    /// Where the mask is read. In every round places come in another order, or frames would go on to repeat each other's
+    /// values, and their mean would not get better.
     #[inline]
     const fn place(self, domain: u32, pad: u32) -> (u32, u32) {
-        let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, ScalarMask::<S>::SIZE_LOG2);
+        let seed = self.sampler.seed ^ self.round().wrapping_mul(ROUND);
+        let [dx, dy] = torus::offset(seed, domain, pad, self.frame, ScalarMask::<S>::SIZE_LOG2);
         (self.x.wrapping_add(dx), self.y.wrapping_add(dy))
+    }
+
+    /// What tells the flips of a round: none in the first.
+    #[inline]
+    const fn round_seed(self, domain: u32, pad: u32) -> u32 {
+        match self.round() {
+            0 => 0,
+            round => hash::combine(domain_seed(self.sampler.seed, domain, pad), !round),
+        }
     }
 
     #[inline]
@@ -152,6 +177,17 @@ impl<const S: usize> DitheredPixel<'_, S> {
         let seed = hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame);
         Order { seed, strata, turn: hash::combine(seed, spread(self.x, self.y)) }
     }
+}
+
+/// Odd, without a pattern: rounds and the seeds in use do not meet.
+const ROUND: u32 = 0xb529_7a4d;
+
+/// Digits that a round flips in all values of a mask: all or none of the upper eight, which leaves their blueness as it is,
+/// and any below, which changes little. (Any below the sixth cost a twentieth.) The values stay a net, but of another set: the
+/// mean over rounds would else never get better than that over the mask, which a half-plane misses by up to a hundredth.
+#[inline(always)]
+const fn flips(seed: u32) -> u32 {
+    (seed.cast_signed() >> 8).cast_unsigned()
 }
 
 /// The order in which a pixel visits the pattern.

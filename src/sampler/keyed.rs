@@ -6,17 +6,18 @@ use crate::{hash, keys::Keys, torus};
 
 /// The points of [`Sampler`](crate::Sampler), XORed in every pixel with the keys of a tile.
 ///
-/// Blue at every number of samples, and with one sample bluer than the progressive order of `Sampler`, whose sets these
-/// are from 64 samples on; a net of its own in every pixel at every power of two. Every domain, pad and frame reads the
-/// tile at a place of its own and visits the points in an order of its own, the same for all pixels, so that a domain
-/// costs a pixel one look-up and two XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points;
-/// from the 257th on another look-up for each bit set above the eighth. [`fill_row`](Self::fill_row) takes half as long
-/// as the tables of 2019, single draws up to 1.8 times (`cargo run --release -p report -- speed`).
+/// Blue at every number of samples, with one bluer than the progressive order of `Sampler`; a net of its own in every
+/// pixel at every power of two. The keys are a net, too: of the first samples of a tile, and of the second ones, each of
+/// S² equal parts of the interval has exactly one in each channel. Every domain, pad and frame reads the tile at a place of
+/// its own, and every pixel visits its points in an order of its own for each of them, so that the joint error of two
+/// domains is white noise. (Between powers of two pixels have different points, and the error is less blue.) A domain
+/// costs a pixel a look-up, two products and some XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of
+/// points; from the 257th on another look-up for each bit set above the eighth.
 ///
-/// The first samples of two domains or frames are as good as uncorrelated, by less than .08 over the pixels of a tile. A
-/// tile is patches of 16×16 pixels, each with digits of its own: from four samples on their errors show more of a pattern
-/// than an annealed mask has, and the tile repeats every 64 pixels. It has 4096 places: of domains, frames or seeds that are
-/// thousands apart some two read the same one, and have the same first samples.
+/// The first samples of two domains or frames are as good as uncorrelated over the pixels of a tile. A tile is patches of
+/// 16×16 pixels, turned and mirrored at random: their errors show more of a pattern than an annealed mask has, and the tile
+/// repeats every 64 pixels. It has 4096 places: of domains, frames or seeds that are thousands apart some two read the same
+/// one, and have the same first samples but for the digits below the twelfth.
 #[derive(Clone, Copy, Debug)]
 pub struct Keyed<'a, const S: usize = 64> {
     keys: &'a Keys<S>,
@@ -67,16 +68,24 @@ pub struct KeyedPixel<'a, const S: usize = 64> {
 }
 
 impl<const S: usize> KeyedPixel<'_, S> {
-    // Inlined for certain: all but the look-up is the same for all pixels, which a compiler sees only then.
+    // Inlined for certain: much of it is the same for all pixels, which a compiler sees only then.
     #[inline(always)]
     const fn pair(self, domain: u32, pad: u32) -> KeyedPair {
         let [dx, dy] = torus::offset(self.sampler.seed, domain, pad, self.frame, Keys::<S>::SIZE_LOG2);
         let digits = self.sampler.keys.digits(self.x.wrapping_add(dx), self.y.wrapping_add(dy));
-        let order = hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame);
-        // The lower digits are the domain's.
-        let low = hash::mix(order);
-        KeyedPair { key: [digits & 0xffff_0000 | low >> 16, digits << 16 | low & 0xffff], order }
+        let seed = hash::combine(domain_seed(self.sampler.seed, domain, pad), self.frame);
+        let order = scatter(digits ^ seed);
+        // The lower digits are as random.
+        KeyedPair { key: [digits & 0xffff_0000 | order >> 16, digits << 16 | order & 0xffff], order }
     }
+}
+
+/// A pixel's own order. Its key tells it from the other pixels of the tile, so that nothing else need be hashed; the lower
+/// half of the product knows the second key only, and takes in the upper half.
+#[inline(always)]
+const fn scatter(value: u32) -> u32 {
+    let product = value.wrapping_mul(0x9e37_79b1);
+    product ^ product >> 15
 }
 
 /// The pair of a domain.
@@ -89,7 +98,7 @@ struct KeyedPair {
 impl Pair for KeyedPair {
     #[inline(always)]
     fn point(self, index_rev: u32) -> [u32; 2] {
-        // All pixels of a domain share one order, or they would see different points between the powers of two.
+        // All pixels in one order would have one joint error of two domains.
         let index_rev = hash::shuffle_rev(index_rev, self.order);
         let mut point = POINTS_REV[(index_rev >> 24) as usize];
         if index_rev << 8 != 0 {

@@ -3,35 +3,35 @@
 //! ```
 //! use bluedither::Sampler; // or any other: changing this one word compares two
 //!
-//! const LENS: u32 = 0; // a domain names what the numbers are for:
-//! const TIME: u32 = 1; // different domains are decorrelated
+//! const CAMERA: u32 = 0; // a domain names what its numbers are for, which are blue together:
+//! const LIGHT: u32 = 1; // different domains are decorrelated
 //!
 //! let (seed, spp, frame) = (1, 4, 0);
 //! let sampler = Sampler::with_spp(seed, spp);
 //! for (x, y) in [(0, 0), (1, 0)] {
 //!     let pixel = sampler.pixel(x, y, frame);
 //!     for index in 0..spp {
-//!         let [u, v] = pixel.draw::<2>(LENS, index); // f32 in [0, 1)
-//!         let [t] = pixel.draw::<1>(TIME, index);
-//!         assert!(u < 1.0 && v < 1.0 && t < 1.0);
+//!         let [u, v, t] = pixel.draw::<3>(CAMERA, index); // f32 in [0, 1); up to eight
+//!         let [a, b] = pixel.draw::<2>(LIGHT, index);
+//!         assert!(u < 1.0 && v < 1.0 && t < 1.0 && a < 1.0 && b < 1.0);
 //!     }
 //! }
 //! ```
 
 mod dithered;
+mod joint;
 mod keyed;
-mod linear;
 mod padded;
 mod row;
 mod shape;
 mod white;
 
 pub use dithered::{Dithered, DitheredPixel};
+pub use joint::{Sampler, SamplerPixel};
 pub use keyed::{Keyed, KeyedPixel};
-pub use linear::{LinearPixel, Sampler};
 pub use white::{White, WhitePixel};
 
-use padded::{Pair, Single, domain_seed, domain_word, padded, spread};
+use padded::{Pair, Single, domain_seed, padded, spread};
 use row::{row_by_pixels, row_shape};
 use shape::call_shape;
 

@@ -129,12 +129,6 @@ pub(super) const fn domain_seed(seed: u32, domain: u32, pad: u32) -> u32 {
     crate::hash::combine(seed, own(domain, pad))
 }
 
-/// The 64 bits of a domain's own: times an odd number, which is a constant if the domain is.
-#[inline(always)]
-pub(super) const fn domain_word(seed: u64, domain: u32, pad: u32) -> u64 {
-    seed.wrapping_mul(crate::hash::mix_64(own(domain, pad) as u64) | 1)
-}
-
 /// A number for every pair of every domain: by a constant without a pattern, so that domains below 2²⁸ meet no other's
 /// second to fourth pair.
 #[inline(always)]

@@ -7,7 +7,6 @@ pub(super) const FLOATS: &str = include_str!("../wgsl/sampler/draws.wgsl");
 pub(super) const PADDED: &str = include_str!("../wgsl/sampler/padded.wgsl");
 
 /// Draws in fixed point, by a function that gives all eight numbers.
-#[expect(dead_code, reason = "for a sampler whose domains are one net")]
 pub(super) const JOINT: &str = include_str!("../wgsl/sampler/joint.wgsl");
 
 /// Some texts one behind the other, NAME and TITLE replaced by words, and how long that is: what is behind `N` is left

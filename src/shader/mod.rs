@@ -24,9 +24,9 @@
 //!         return vec4<f32>(mean / 4.0);
 //!     }
 //! ";
-//! let wgsl: String = shader::SAMPLER.texts().chain([shader::LINEAR_ORDER.storage, mine]).collect();
-//! let table: Vec<u32> = shader::linear_order_words().collect(); // for group 0, binding 0
-//! # assert!(wgsl.contains("fn bd_linear_order_load") && table.len() == 912);
+//! let wgsl: String = shader::SAMPLER.texts().chain([shader::NET.storage, mine]).collect();
+//! let table: Vec<u32> = shader::net_words().collect(); // for group 0, binding 0
+//! # assert!(wgsl.contains("fn bd_net_load") && table.len() == 996);
 //! ```
 //!
 //! Plain WGSL without a preprocessor, in any order: declarations need not come before their use. No text declares an
@@ -41,13 +41,14 @@ mod table;
 mod words;
 
 pub use table::{
-    DIRECTION_NUMBERS, KEYS_TILE, LINEAR_LIGHT, LINEAR_ORDER, SCALAR_MASK, SEED_SWAPS, TIME_MASK, Table, VECTOR_MASK,
+    DIRECTION_NUMBERS, KEYS_TILE, LINEAR_LIGHT, LINEAR_ORDER, NET, SCALAR_MASK, SEED_SWAPS, TIME_MASK, Table,
+    VECTOR_MASK,
 };
 #[cfg(feature = "gamma")]
 pub use words::linear_light_words;
 #[cfg(feature = "seed-permutation")]
 pub use words::seed_swap_words;
-pub use words::{direction_words, keys_words, linear_order_words, scalar_words, time_words, vector_words};
+pub use words::{direction_words, keys_words, linear_order_words, net_words, scalar_words, time_words, vector_words};
 
 /// Texts that go together: a set of modules that holds all that each of them needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,6 +119,8 @@ modules! {
     LINEAR "linear" []
     /// [`zorder`](crate::zorder): `bd_zorder_…`.
     ZORDER "zorder" []
+    /// [`net`](crate::net): `bd_net_…`; reads [`NET`].
+    JOINT_NET "net" []
     /// [`strata`](crate::strata): `bd_strata_…`.
     STRATA "strata" [HASH]
     /// [`shift`](crate::shift): `bd_shift_…`.
@@ -132,8 +135,8 @@ modules! {
     KEYS "keys" []
     /// What samplers share: `bd_domain_…`.
     DOMAIN "sampler/mod" [HASH]
-    /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`LINEAR_ORDER`].
-    SAMPLER "sampler/linear" (PADDED "sampler" "Sampler") [DOMAIN LINEAR UNIT]
+    /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`NET`].
+    SAMPLER "sampler/net" (JOINT "sampler" "Sampler") [HASH JOINT_NET ZORDER UNIT]
     /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
     KEYED "sampler/keyed" (PADDED "keyed" "Keyed") [DOMAIN KEYS LINEAR TORUS UNIT]
     /// [`Dithered`](crate::Dithered): `bd_dithered_…`; reads [`SCALAR_MASK`] and [`VECTOR_MASK`].

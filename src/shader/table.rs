@@ -35,14 +35,19 @@ impl Table {
 
 /// A table whose function, its arguments and result given, returns one expression or the other.
 macro_rules! table {
-    ($binding:literal $name:literal $format:literal, $sizes:expr, $signature:literal, $storage:expr, $texture:expr) => {
+    ($binding:literal $name:literal $format:literal, $($rest:tt)*) => {
+        table!($binding $name "u32" $format, $($rest)*)
+    };
+    ($binding:literal $name:literal $word:literal $format:literal, $sizes:expr, $signature:literal, $storage:expr, $texture:expr) => {
         Table {
             storage: concat!(
                 "@group(0) @binding(",
                 $binding,
                 ") var<storage, read> ",
                 $name,
-                ": array<u32>;\n",
+                ": array<",
+                $word,
+                ">;\n",
                 "fn ",
                 $name,
                 "_load",
@@ -100,9 +105,17 @@ macro_rules! sizes {
     ($name:literal: $($number:literal)*) => { &[$(concat!("const ", $name, " = ", $number, "u;\n")),*] };
 }
 
-/// The constants of [`Sampler`](crate::Sampler), [`linear_order_words`](super::linear_order_words): a texture of 16×57.
+/// The constants of [`Sampler`](crate::Sampler), [`net_words`](super::net_words): a texture of
+/// 249×1, a storage buffer of `vec4<u32>`.
+pub const NET: Table = table!(
+    0 "bd_net" "vec4<u32>" "rgba32uint", &[], "(i: u32) -> vec4<u32>",
+    "bd_net[i]",
+    "textureLoad(bd_net, vec2<u32>(i, 0u), 0)"
+);
+
+/// The sequence of [`Keyed`](crate::Keyed), [`linear_order_words`](super::linear_order_words): a texture of 16×57.
 pub const LINEAR_ORDER: Table = table!(
-    0 "bd_linear_order" "r32uint", &[], "(i: u32) -> u32",
+    3 "bd_linear_order" "r32uint", &[], "(i: u32) -> u32",
     "bd_linear_order[i]",
     "textureLoad(bd_linear_order, vec2<u32>(i & 15u, i >> 4u), 0).r"
 );

@@ -2,9 +2,17 @@
 //! machine, on any host.
 
 use crate::linear::Columns;
+use crate::net::Order;
 use crate::sobol::Directions;
-use crate::tables::LINEAR_ORDER;
+use crate::tables::{LINEAR_ORDER, NET};
 use crate::{Keys, ScalarMask, VectorMask};
+
+/// The constants of the joint net, for [`NET`](super::NET): 996 words.
+pub fn net_words() -> impl Iterator<Item = u32> + Clone {
+    let columns = |order: &'static Order| order.samples.iter().chain(&order.inside).chain(&order.place);
+    let orders = NET.known.iter().chain([&NET.progressive]).flat_map(columns);
+    orders.chain(&NET.frames).flatten().copied()
+}
 
 /// The constants of the linear pixel order, for [`LINEAR_ORDER`](super::LINEAR_ORDER): 912 words.
 pub fn linear_order_words() -> impl Iterator<Item = u32> + Clone {

@@ -28,7 +28,7 @@ fn a_fill_is_the_draws_from_any_index_on() {
     for spp in [1, 4, 7] {
         for_every_sampler!(3, spp, |name, sampler| {
             let pixel = sampler.pixel(5, 9, 2);
-            for (first, length) in [(0, 0), (0, 1), (0, 7), (3, 9), (250, 12), (u32::MAX - 2, 6)] {
+            for (first, length) in [(0, 0), (0, 1), (0, 7), (3, 9), (250, 12), (65_530, 12), (u32::MAX - 2, 6)] {
                 let indices = || (0..length as u32).map(|k| first.wrapping_add(k));
                 for_every_length!(|D| {
                     let (mut numbers, mut floats) = (vec![[0; D]; length], vec![[0.0; D]; length]);
@@ -47,7 +47,7 @@ fn a_fill_is_the_draws_from_any_index_on() {
 fn a_row_is_the_draws_of_its_pixels() {
     // Inside blocks of any size, across their borders, and across the end of the coordinates.
     let runs = [(0, 0), (7, 1), (0, 70), (29, 5), (u32::MAX - 40, 80)];
-    for (spp, index, y, frame) in [(1, 0, 5, 0), (4, 3, 31, 9), (7, 300, u32::MAX, u32::MAX)] {
+    for (spp, index, y, frame) in [(1, 0, 5, 0), (4, 3, 31, 9), (2, 70_000, 6, 40_000), (7, 300, u32::MAX, u32::MAX)] {
         for_every_sampler!(3, spp, |name, sampler| {
             for (first, length) in runs {
                 let pixels = || (0..length as u32).map(|k| sampler.pixel(first.wrapping_add(k), y, frame));

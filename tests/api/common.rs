@@ -55,8 +55,8 @@ macro_rules! for_every_sampler {
         let dithered = bluedither::Dithered::with_masks(crate::common::scalar_mask(), crate::common::vector_mask(), seed);
         for_every_sampler! { @each |$name, $sampler| $body
             "white" => bluedither::White::with_spp(seed, spp),
-            "linear order, progressive" => bluedither::Sampler::new(seed),
-            "linear order" => bluedither::Sampler::with_spp(seed, spp),
+            "net, progressive" => bluedither::Sampler::new(seed),
+            "net" => bluedither::Sampler::with_spp(seed, spp),
             "global" => dithered,
             "lattice" => dithered.on_lattice(),
             "single strata" => dithered.stratified_1d(spp),

@@ -2,9 +2,10 @@
 //!
 //! The masks are random permutations, so that these tests need no table.
 
+use crate::analysis::random::Random;
 use crate::common::{SIZE, scalar_mask, vector_mask};
 use bluedither::lattice::{EXEW, extensible};
-use bluedither::{Dithered, unit};
+use bluedither::{Dithered, VectorMask, sobol, unit};
 use proptest::prelude::*;
 
 #[test]
@@ -190,4 +191,66 @@ proptest! {
         let far = |pixel: u32| sampler.pixel(x.wrapping_add(pixel), y.wrapping_sub(pixel), frame);
         prop_assert_eq!(far(0).draw::<4>(domain, index), far(SIZE as u32).draw::<4>(domain, index));
     }
+}
+
+/// The mean over frames gets better like that of independent frames, long after every place of the mask was read: smooth
+/// integrands and steps, one number and a pair. Before places came in rounds, 65,536 frames left twice as much.
+#[test]
+fn the_mean_over_frames_goes_on_converging() {
+    // Each minus its mean, over its standard deviation.
+    let square = |x: f64| (x * x - 1.0 / 3.0) / (4.0f64 / 45.0).sqrt();
+    let step = |x: f64| (f64::from(u8::from(x < 0.3)) - 0.3) / 0.21f64.sqrt();
+    let product = |x: f64, y: f64| (x * y - 0.25) / (7.0f64 / 144.0).sqrt();
+    let half_plane = |x: f64, y: f64| 2.0 * f64::from(u8::from(x + y < 1.0)) - 1.0;
+    let pixels: Vec<[u32; 2]> = (0..32).map(|p| [p * 37 % 61, p * 11 % 59]).collect();
+    // As baked masks, a net: of one that is not, no mean could be better than its own.
+    let mut ranks: Vec<[u16; 2]> = (0..4096).map(|i| sobol::point(i).map(|v| (v >> 20) as u16)).collect();
+    Random::new(6).shuffle(&mut ranks);
+    let net = VectorMask::from_slice(&ranks).expect("ranks of a mask");
+    let mut squares = [[0.0; 4]; 9];
+    const SEEDS: u32 = 4;
+    for seed in 0..SEEDS {
+        let sampler = Dithered::with_masks(scalar_mask(), &net, seed);
+        for &[x, y] in &pixels {
+            let mut sums = [0.0; 4];
+            for frame in 0..1 << 16 {
+                let pixel = sampler.pixel(x, y, frame);
+                let ([t], [u, v]) =
+                    (pixel.draw_fx::<1>(0, 0).map(unit::to_f64), pixel.draw_fx::<2>(1, 0).map(unit::to_f64));
+                let values = [square(t), step(t), product(u, v), half_plane(u, v)];
+                sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+                let frames = frame + 1;
+                if frames.is_power_of_two() && frames.ilog2() % 2 == 0 {
+                    let at = &mut squares[frames.ilog2() as usize / 2];
+                    at.iter_mut().zip(sums).for_each(|(at, sum)| *at += sum * sum / f64::from(frames));
+                }
+            }
+        }
+    }
+    for (k, squares) in squares.iter().enumerate() {
+        let ratios = squares.map(|square| (square / f64::from(SEEDS) / pixels.len() as f64).sqrt());
+        assert!(ratios.iter().all(|&ratio| ratio < 1.3), "{} frames: {ratios:.2?} of independent ones", 1 << (2 * k));
+    }
+}
+
+/// A round flips digits of all pixels alike, of the upper eight all or none: each rank stands once, near values stay near,
+/// and every frame alone is as blue as the mask. The first round flips nothing.
+#[test]
+fn every_frame_has_the_order_of_the_mask_or_the_other() {
+    let mut turned = 0;
+    for (seed, frame) in (0..60).map(|k| (k, 4000 + 199 * k)) {
+        let sampler = Dithered::with_masks(scalar_mask(), vector_mask(), seed);
+        let value = |p: u32| sampler.pixel(p % 64, p / 64, frame).draw_fx::<1>(3, 0)[0];
+        let flips = |place: u32, p: u32| value(p) ^ scalar_mask().value_fx(p % 64 + place % 64, p / 64 + place / 64);
+        let fits = |place: &u32| (1..4096).all(|p| flips(*place, p) == flips(*place, 0));
+        let place = (0..4096).find(fits).expect("one flip for all, somewhere");
+        let flips = flips(place, 0);
+        assert!([0, 0xff].contains(&(flips >> 24)), "frame {frame}: {flips:x}");
+        if frame < 4096 {
+            let [dx, dy] = bluedither::torus::offset(seed, 3, 0, frame, 6);
+            assert_eq!((flips, place), (0, dy << 6 | dx));
+        }
+        turned += flips >> 31;
+    }
+    assert!((15..45).contains(&turned), "{turned} of 60 are turned over");
 }

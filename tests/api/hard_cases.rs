@@ -82,7 +82,7 @@ fn seeds_frames_and_domains_of_nothing_and_all_ones_are_even_and_unrelated() {
     const ENDS: [u32; 3] = [0, 1, u32::MAX];
     let arguments = ENDS.into_iter().flat_map(|a| ENDS.into_iter().flat_map(move |b| ENDS.map(|c| [a, b, c])));
     let arguments: Vec<[u32; 3]> = arguments.collect();
-    // By name: the images of one number, a pixel of each block of a linear order.
+    // By name: the images of one number, far apart.
     let mut images: Vec<(&str, Vec<Vec<f64>>)> = Vec::new();
     for &[seed, frame, domain] in &arguments {
         for_every_sampler!(seed, 4, |name, sampler| {
@@ -106,7 +106,9 @@ fn seeds_frames_and_domains_of_nothing_and_all_ones_are_even_and_unrelated() {
             for (b, other) in images[..a].iter().enumerate() {
                 let (a, b) = (arguments[a], arguments[b]);
                 assert_ne!(one, other, "{name}: {a:?} and {b:?}");
-                if name != "constant" {
+                // Frames of the net complete each other.
+                let complete = name.starts_with("net") && (a[0], a[2]) == (b[0], b[2]);
+                if name != "constant" && !complete {
                     // The baked masks are blue noise, whose neighbours are related a little.
                     let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
                     let r = correlation(one, other);
@@ -129,7 +131,10 @@ fn assert_no_drift(first: u32, log2: u32) {
             sum += numbers.iter().map(|[v]| u64::from(*v)).sum::<u64>();
         }
         let off = sum.abs_diff(1 << (31 + log2)) as f64 / 4_294_967_296.0;
-        assert!(off <= 2.0, "{name}, 2^{log2} numbers from {first} on: the sum is {off} off");
+        // Numbers of the net have 16 digits, and a random rest for 2¹⁶ of them: five deviations.
+        let sequences = f64::from(1u32 << log2.saturating_sub(16));
+        let bound = if name.starts_with("net") { 2.0 + 5.0 * (sequences / 12.0).sqrt() } else { 2.0 };
+        assert!(off <= bound, "{name}, 2^{log2} numbers from {first} on: the sum is {off} off");
     });
 }
 

@@ -1,9 +1,7 @@
-//! The linear pixel order: naive twins, nets for every power of two, in the sequence and in every pixel.
+//! The linear pixel order: naive twins, nets for every power of two in the sequence.
 
 use crate::analysis::net::assert_net;
-use bluedither::Sampler;
 use bluedither::linear::{self, BLOCK_LOG2, Columns, Order};
-use bluedither::sampler::LinearPixel;
 use bluedither::tables::LINEAR_ORDER;
 use proptest::prelude::*;
 
@@ -48,8 +46,6 @@ fn powers_of_two_have_an_order_of_their_own_and_other_numbers_the_progressive_on
     }
     for spp in [3, 5, 12, 48, 255, 257, 512, 1 << 31, u32::MAX] {
         assert_eq!(LINEAR_ORDER.known(spp), None, "{spp}");
-        let draw = |sampler: Sampler| sampler.pixel(3, 4, 5).draw_fx::<4>(6, spp / 2);
-        assert_eq!(draw(Sampler::with_spp(7, spp)), draw(Sampler::new(7)));
     }
 }
 
@@ -63,73 +59,6 @@ fn no_two_orders_are_alike() {
             assert!(!a[..k].contains(set), "order {i}, set {k}");
         }
     }
-}
-
-fn points(pixel: LinearPixel, domain: u32, count: u32) -> Vec<[u32; 2]> {
-    (0..count).map(|index| pixel.draw_fx::<2>(domain, index)).collect()
-}
-
-#[test]
-fn every_pixel_has_a_net_at_every_power_of_two() {
-    for (x, y, frame, domain) in [(0, 0, 0, 0), (63, 64, 1, 2), (u32::MAX, 5, u32::MAX, 77)] {
-        for m in 0..=12 {
-            let count = 1 << m;
-            for seed in [0, 1, u32::MAX] {
-                let progressive = points(Sampler::new(seed).pixel(x, y, frame), domain, count);
-                assert_net(&progressive, &format!("the first {count}, progressive, seed {seed}"));
-                let known = points(Sampler::with_spp(seed, count).pixel(x, y, frame), domain, count);
-                assert_net(&known, &format!("all {count}, seed {seed}"));
-            }
-        }
-    }
-}
-
-#[test]
-fn known_numbers_go_on_with_nets() {
-    // Twice as many as were announced are one net, and so on.
-    for spp in [1, 4, 16, 256] {
-        let pixel = Sampler::with_spp(3, spp).pixel(10, 20, 0);
-        for more in [2, 4, 8] {
-            assert_net(&points(pixel, 1, more * spp), &format!("{more} times {spp}"));
-        }
-    }
-}
-
-/// The samples of a pixel are the first points of the sequence, moved by one digital shift, in some order.
-#[test]
-fn a_pixels_samples_are_the_first_points_moved() {
-    for (m, seed) in [(0, 1), (3, 2), (6, 3), (8, 4)] {
-        let mut first: Vec<[u32; 2]> = (0..1 << m).map(point).collect();
-        first.sort_unstable();
-        for pixel in [Sampler::with_spp(seed, 1 << m), Sampler::new(seed)].map(|sampler| sampler.pixel(40, 7, 1)) {
-            let drawn = points(pixel, 2, 1 << m);
-            // One of the drawn points is point 0, moved; the block may have swapped its numbers.
-            let fits = drawn.iter().flat_map(|&shift| [(shift, false), (shift, true)]).any(|(shift, swap)| {
-                let back =
-                    |[x, y]: [u32; 2]| if swap { [y ^ shift[1], x ^ shift[0]] } else { [x ^ shift[0], y ^ shift[1]] };
-                let mut back: Vec<_> = drawn.iter().map(|&sample| back(sample)).collect();
-                back.sort_unstable();
-                back == first
-            });
-            assert!(fits, "2^{m} samples, seed {seed}");
-        }
-    }
-}
-
-#[test]
-fn blocks_differ_and_pixels_of_a_block_share_its_shift() {
-    // Taken off, the shift of the block is gone: differences within a block are what the columns say, in some set.
-    let sampler = Sampler::with_spp(9, 1);
-    let upper = |[x, y]: [u32; 2]| (x & 0xffff_0000) | y >> 16;
-    let at = |x, y| upper(sampler.pixel(x, y, 0).draw_fx::<2>(0, 0));
-    let mut differences = Vec::new();
-    for block in 0..64u32 {
-        differences.push(at(32 * block, 0) ^ at(32 * block + 1, 0));
-    }
-    differences.sort_unstable();
-    differences.dedup();
-    // A set or its transpose, its numbers swapped or not: 32 variants, not 64 random words.
-    assert!((2..=32).contains(&differences.len()), "{}", differences.len());
 }
 
 proptest! {

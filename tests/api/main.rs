@@ -30,6 +30,8 @@ mod hash;
 mod lattice;
 mod linear;
 mod mask;
+mod net;
+mod net_twin;
 #[cfg(all(
     feature = "threshold-over-time-32",
     feature = "threshold-over-time-64",

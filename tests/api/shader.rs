@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use bluedither::shader::{self, Parts, Table};
-use bluedither::tables::{LINEAR_ORDER, OFFSET_2D_64, THRESHOLD_64};
+use bluedither::tables::{LINEAR_ORDER, NET, OFFSET_2D_64, THRESHOLD_64};
 use bluedither::{ScalarMask, VectorMask, torus};
 
-const PARTS: [(&str, Parts); 28] = [
+const PARTS: [(&str, Parts); 29] = [
     ("unit", shader::UNIT),
     ("wide", shader::WIDE),
     ("hash", shader::HASH),
@@ -16,6 +16,7 @@ const PARTS: [(&str, Parts); 28] = [
     ("lattice", shader::LATTICE),
     ("linear", shader::LINEAR),
     ("zorder", shader::ZORDER),
+    ("net", shader::JOINT_NET),
     ("strata", shader::STRATA),
     ("shift", shader::SHIFT),
     ("mask/mod", shader::MASK),
@@ -23,7 +24,7 @@ const PARTS: [(&str, Parts); 28] = [
     ("mask/vector", shader::VECTOR),
     ("keys", shader::KEYS),
     ("sampler/mod", shader::DOMAIN),
-    ("sampler/linear", shader::SAMPLER),
+    ("sampler/net", shader::SAMPLER),
     ("sampler/keyed", shader::KEYED),
     ("sampler/dithered", shader::DITHERED),
     ("sampler/white", shader::WHITE),
@@ -37,7 +38,8 @@ const PARTS: [(&str, Parts); 28] = [
     ("frames/seeds_pass", shader::SEEDS_PASS),
 ];
 
-const TABLES: [Table; 8] = [
+const TABLES: [Table; 9] = [
+    shader::NET,
     shader::LINEAR_ORDER,
     shader::SCALAR_MASK,
     shader::VECTOR_MASK,
@@ -135,7 +137,7 @@ fn sizes_are_written_as_the_text_reads_them() {
         assert_eq!(shader::SCALAR_MASK.size_text(side), format!("const BD_SCALAR_LOG2 = {log2}u;\n"));
     }
     assert_eq!(shader::DIRECTION_NUMBERS.size_text(1024), "const BD_DIRECTIONS_COUNT = 1024u;\n");
-    assert_eq!(shader::LINEAR_ORDER.size_text(64), "");
+    assert_eq!(shader::NET.size_text(64), "");
 }
 
 #[test]
@@ -172,6 +174,19 @@ fn the_linear_order_is_laid_out_as_its_shader_reads_it() {
         let sum = nibbles.into_iter().chain(singles).fold(0, |sum, word| sum ^ word);
         assert_eq!(sum, LINEAR_ORDER.sequence.packed_rev(index_rev));
     }
+}
+
+#[test]
+fn the_net_is_laid_out_as_its_shader_reads_it() {
+    let words: Vec<u32> = shader::net_words().collect();
+    assert_eq!(words.len(), 996);
+    for (k, order) in NET.known.iter().chain([&NET.progressive]).enumerate() {
+        let order_words = &words[104 * k..104 * (k + 1)];
+        assert_eq!(&order_words[..64], order.samples.as_flattened());
+        assert_eq!(&order_words[64..80], order.inside.as_flattened());
+        assert_eq!(&order_words[80..], order.place.as_flattened());
+    }
+    assert_eq!(&words[936..], NET.frames.as_flattened());
 }
 
 fn files(folder: &str, ending: &str) -> Vec<(String, String)> {

@@ -72,7 +72,7 @@ fn check_keys(kind: Kind, effort: Effort, rows: &[(u32, [f64; 2])]) {
 /// The published tables of 2019, one for each count, read .332/.498, .490/.635, .843/.773 and .802/.808.
 #[test]
 fn keys_at_normal_effort() {
-    check_keys(Kind::Keys, Effort::Normal, &[(1, [0.44, 0.59]), (4, [0.44, 0.635])]);
+    check_keys(Kind::Keys, Effort::Normal, &[(1, [0.48, 0.61]), (4, [0.43, 0.69])]);
 }
 
 /// The weights of the keys' prefixes were picked while looking at the evaluation's integrands: on others, which were drawn
@@ -97,7 +97,7 @@ fn keys_do_as_well_on_integrands_that_nobody_looked_at() {
 #[test]
 #[ignore = "many samples: some ten seconds"]
 fn keys_at_many_samples() {
-    check_keys(Kind::Keys, Effort::Normal, &[(16, [0.43, 0.765]), (64, [0.73, 0.73])]);
+    check_keys(Kind::Keys, Effort::Normal, &[(16, [0.31, 0.75]), (64, [0.30, 0.72])]);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "tests on the host")]
 #![allow(clippy::print_stdout, reason = "tables are printed on request")]
 
-use bluedither::{effort, hash, lattice, linear, sobol, strata, torus}; // what the bake finds at the root of build.rs
+use bluedither::{effort, hash, lattice, linear, net, sobol, strata, torus}; // what the bake finds at the root of build.rs
 
 #[path = "../analysis/mod.rs"]
 mod analysis;
@@ -18,10 +18,12 @@ mod energy;
 
 mod anneal;
 mod filtered;
+mod joint_net;
 mod keys;
 mod keys_quality;
 mod linear_order;
 mod mask_quality;
+mod net_file;
 mod published_energy;
 mod rebake;
 mod sizes;

@@ -14,8 +14,6 @@ use crate::bake::recipe::{self, Recipe};
 use crate::bake::record::Digests;
 use crate::effort::Effort;
 use crate::{recorded, tables};
-use rand::SeedableRng;
-use rand::rngs::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 
 fn check(effort: Effort) {
@@ -192,7 +190,7 @@ fn derived() -> Inputs {
         cosine: list(COSINE).collect(),
         features_1d: columns(Pattern::Regular, 48, [1.0, 0.3, 0.1]),
         features_2d: columns(Pattern::Sobol, 12, [1.0, 0.4, 0.15]),
-        features_keys: key_columns([1.0, 0.84, 0.14]),
+        features_keys: key_columns([1.0, 0.5, 0.5, 0.5]),
         features_lattice: columns(Pattern::Lattice, 12, [1.0, 0.4, 0.15]),
         // Not a formula: linear_order.rs checks it.
         linear_order: LinearOrder::read(&tables()).expect("the linear order"),
@@ -241,40 +239,34 @@ fn columns(pattern: Pattern, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
     all.into_iter().map(|(_, scale, column)| Column { weight: libm::round(scale * unit) as i64, ..column }).collect()
 }
 
-/// The same for keys: for each prefix the 32 columns of largest variance over 512 pixels in the linear order, in blocks of
-/// samples that a rank may bring to the front; `shares` are variances of all columns. More than 12 half-periods at 1 and
-/// 4 samples are not among the largest.
-fn key_columns(shares: [f64; 3]) -> Vec<Column> {
-    let LinearOrder { sequence, orders } = LinearOrder::read(&tables()).expect("the linear order");
-    let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
-    let digits = crate::bake::keys::linear_digits(&orders[linear::ORDERS - 1], 6, &mut rng);
-    let points = crate::bake::keys::points(&linear::Sequence::new(&sequence), 64);
+/// The same for keys: for each prefix the 32 columns of largest variance over all blocks of the first 4096 points; `shares`
+/// are variances of all columns.
+fn key_columns(shares: [f64; 4]) -> Vec<Column> {
+    const K_MAX: u32 = 24;
+    let sequence = LinearOrder::read(&tables()).expect("the linear order").sequence;
+    let points = crate::bake::keys::points(&linear::Sequence::new(&sequence), 4096);
+    let waves = |digits: fn(&u32) -> u32| -> Vec<Vec<f64>> {
+        let wave =
+            |k: u32, p: &u32| libm::cos(core::f64::consts::PI * f64::from(k) * (f64::from(digits(p)) + 0.5) / 65_536.0);
+        (0..=K_MAX).map(|k| points.iter().map(|p| wave(k, p)).collect()).collect()
+    };
+    let (waves_x, waves_y) = (waves(|p| p >> 16), waves(|p| p & 0xffff));
     let mut all: Vec<(f64, f64, Column)> = Vec::new();
     for (samples, share) in crate::bake::keys::PREFIXES.into_iter().zip(shares) {
-        let sets: Vec<Vec<[f64; 2]>> = (0..512usize)
-            .map(|j| {
-                let (key, blocks) = (digits[j * 7919 % digits.len()], 64 / samples as usize);
-                let block = points.chunks(samples as usize).nth(j % blocks).expect("a block");
-                let point = |p: &u32| [(p ^ key) >> 16, (p ^ key) & 0xffff].map(|v| (f64::from(v) + 0.5) / 65_536.0);
-                block.iter().map(point).collect()
-            })
-            .collect();
         let mut block = Vec::new();
-        for kx in 0..=16 {
-            for ky in 0..=16 {
-                if kx + ky == 0 {
-                    continue;
-                }
-                let weight = libm::pow(f64::from(kx * kx + ky * ky), -0.75);
-                let error = |set: &Vec<[f64; 2]>| -> f64 {
-                    let cosine = |k: u32, x: f64| libm::cos(core::f64::consts::PI * f64::from(k) * x);
-                    set.iter().map(|p| cosine(kx, p[0]) * cosine(ky, p[1])).sum::<f64>() / f64::from(samples)
-                };
-                let errors: Vec<f64> = sets.iter().map(|set| weight * error(set)).collect();
-                let variance = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
-                let largest = errors.iter().fold(0.0f64, |largest, e| largest.max(e.abs()));
-                block.push((variance, largest, weight, [kx, ky]));
-            }
+        for (kx, ky) in (0..=K_MAX).flat_map(|kx| (0..=K_MAX).map(move |ky| (kx, ky))).skip(1) {
+            // A cosine of both has half the square of one alone.
+            let norm = if kx > 0 && ky > 0 { core::f64::consts::SQRT_2 } else { 1.0 };
+            let weight = norm * libm::pow(f64::from(kx * kx + ky * ky), -0.75);
+            let products: Vec<f64> =
+                waves_x[kx as usize].iter().zip(&waves_y[ky as usize]).map(|(x, y)| x * y).collect();
+            let errors: Vec<f64> = products
+                .chunks(samples as usize)
+                .map(|block| weight * block.iter().sum::<f64>() / f64::from(samples))
+                .collect();
+            let variance = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
+            let largest = errors.iter().fold(0.0f64, |largest, e| largest.max(e.abs()));
+            block.push((variance, largest, weight, [kx, ky]));
         }
         let scale = (share / block.iter().map(|column| column.0).sum::<f64>()).sqrt();
         // Mirrored columns may have equal variances: their order must not hang on a last digit.
@@ -284,8 +276,8 @@ fn key_columns(shares: [f64; 3]) -> Vec<Column> {
             all.push((largest * scale, weight * scale / f64::from(samples), column));
         }
     }
-    // Of 512 of 262,144 vectors the largest is not met: 55 leaves room to 63.
-    let unit = 55.0 * 1024.0 / all.iter().map(|column| column.0).fold(0.0, f64::max);
+    // Larger tiles have further points, whose errors may be a little larger.
+    let unit = 60.0 * 1024.0 / all.iter().map(|column| column.0).fold(0.0, f64::max);
     all.into_iter().map(|(_, weight, column)| Column { weight: libm::round(weight * unit) as i64, ..column }).collect()
 }
 

@@ -54,11 +54,12 @@ fn directions_cost_what_is_pinned() {
 }
 
 #[test]
-fn the_linear_order_links_less_than_4_kib() {
+fn the_net_links_less_than_4_kib() {
+    assert_eq!(size_of::<bluedither::net::Tables>(), 3_984);
     assert_eq!(size_of::<linear::Tables>(), 3_648);
-    assert!(size_of::<bluedither::Sampler>() <= 16);
-    let texts = [include_str!("../../README.md"), include_str!("../../src/sampler/linear.rs")];
-    assert!(texts.iter().all(|text| text.contains("3,648 bytes")), "README and docs state the bytes");
+    assert!(size_of::<bluedither::Sampler>() <= 24);
+    let texts = [include_str!("../../README.md"), include_str!("../../src/sampler/joint.rs")];
+    assert!(texts.iter().all(|text| text.contains("3,984 bytes")), "README and docs state the bytes");
 }
 
 #[test]

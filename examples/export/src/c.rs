@@ -18,7 +18,8 @@ pub fn header(tables: &[Table]) -> String {
         .replace("@licence@", &licence)
         .replace("@version@", version())
         .replace("@effort@", EFFORT.name())
-        .replace("@linear@\n", &linear_order())
+        .replace("@linear@\n", &linear_points())
+        .replace("@net@\n", &net())
         .replace("@tables@\n", &tables)
 }
 
@@ -59,23 +60,35 @@ fn table(table: &Table) -> String {
     }
 }
 
-/// Columns of every order, and the points.
-fn linear_order() -> String {
+/// Columns of every order, and those of frames.
+fn net() -> String {
     let mut text = String::from(
-        "/* What the bits of x and of y add, in turn, upper 16 digits of both numbers: eight sets for each of 1, 2, 4,\n \
-         * ..., 256 samples a pixel, and for any number. */\n\
-         static const uint32_t bd_linear_orders[10][8][10] = {\n",
+        "/* What the bits add to eight numbers, of the number 2k in the upper half of word k, of 2k+1 in the lower: 16 bits\n \
+         * of a sample's number, 4 of the place in a block of 4x4 pixels, 6 of the place on the curve. For each of 1, 2, 4,\n \
+         * ..., 64 and 256 samples a pixel, and for any number. */\n\
+         static const uint32_t bd_net_orders[9][26][4] = {\n",
     );
-    let words: Vec<u32> = shader::linear_order_words().collect();
-    let (orders, points) = words.split_at(10 * 8 * 10);
-    for order in orders.chunks(8 * 10) {
-        text += &format!("    {{\n{}    }},\n", rows(order, 10));
+    let words: Vec<u32> = shader::net_words().collect();
+    let (orders, frames) = words.split_at(9 * 26 * 4);
+    for order in orders.chunks(26 * 4) {
+        text += &format!("    {{\n{}    }},\n", rows(order, 4));
     }
+    text += "};\n/* What the bits of a frame add, for any number of samples. */\n\
+             static const uint32_t bd_net_frames[15][4] = {\n";
+    text += &rows(frames, 4);
+    text + "};\n"
+}
+
+/// The points of the sequence.
+fn linear_points() -> String {
+    let words: Vec<u32> = shader::linear_order_words().skip(10 * 8 * 10).collect();
     // The first number is the upper half of a word of 64 bits, which comes second.
-    let points: Vec<u32> = points.as_chunks::<2>().0.iter().flat_map(|&[low, high]| [high, low]).collect();
+    let points: Vec<u32> = words.as_chunks::<2>().0.iter().flat_map(|&[low, high]| [high, low]).collect();
     let (nibbles, columns) = points.split_at(2 * 16 * 2);
-    text += "};\n/* Points of the lower two nibbles of a sample's number, each reversed. */\n\
-             static const uint32_t bd_linear_nibbles[2][16][2] = {\n";
+    let mut text = String::from(
+        "/* Points of the lower two nibbles of a sample's number, each reversed. */\n\
+         static const uint32_t bd_linear_nibbles[2][16][2] = {\n",
+    );
     for nibble in nibbles.chunks(16 * 2) {
         text += &format!("    {{\n{}    }},\n", rows(nibble, 2));
     }

@@ -29,6 +29,8 @@ pub struct Bound {
     words: fn() -> Vec<u32>,
 }
 
+const NET: Bound = Bound { table: shader::NET, side: 0, file: "net.bin", words: || shader::net_words().collect() };
+#[cfg(feature = "keys-64")]
 const LINEAR_ORDER: Bound = Bound {
     table: shader::LINEAR_ORDER,
     side: 0,
@@ -53,7 +55,7 @@ tile!(KEYS, "keys-64", KEYS_TILE, "keys-64-words.bin", keys_words(KEYS_64));
 
 /// All of them.
 pub const USES: &[Use] = &[
-    Use { name: "sampler", title: "Sampler", parts: shader::SAMPLER, tables: &[LINEAR_ORDER], draw: None },
+    Use { name: "sampler", title: "Sampler", parts: shader::SAMPLER, tables: &[NET], draw: None },
     #[cfg(feature = "keys-64")]
     Use { name: "keyed", title: "Keyed", parts: shader::KEYED, tables: &[LINEAR_ORDER, KEYS], draw: None },
     #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]

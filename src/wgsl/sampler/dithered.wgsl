@@ -60,8 +60,8 @@ fn bd_dithered_pixel(seeded: bd_Dithered, x: u32, y: u32, frame: u32) -> bd_Dith
 // A single dimension of a domain at an index, 0.32 fixed point.
 fn bd_dithered_single(pixel: bd_DitheredPixel, domain: u32, pad: u32, index: u32) -> u32 {
     let place = bd_dithered_place(pixel, domain, pad);
-    let offset = bd_scalar_value_fx(place.x, place.y);
     let seed = bd_dithered_order(pixel, domain, pad);
+    let offset = bd_scalar_value_fx(place.x, place.y) ^ bd_dithered_flips(bd_dithered_round_seed(pixel, domain, pad));
     let strata = pixel.seeded.strata_1d;
     if strata == 0u {
         return bd_hash_shuffle_rev(reverseBits(index), seed) + offset;
@@ -73,8 +73,12 @@ fn bd_dithered_single(pixel: bd_DitheredPixel, domain: u32, pad: u32, index: u32
 // The pair of a domain at an index, 0.32 fixed point.
 fn bd_dithered_pair(pixel: bd_DitheredPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
     let place = bd_dithered_place(pixel, domain, pad);
-    let offset = bd_vector_value_fx(place.x, place.y);
     let seed = bd_dithered_order(pixel, domain, pad);
+    let other = bd_dithered_round_seed(pixel, domain, pad);
+    // Upper digits of both or of none.
+    let flip = bd_dithered_flips(other);
+    let flips = vec2<u32>(flip, flip ^ (((other << 16u) | (other >> 16u)) >> 8u));
+    let offset = bd_vector_value_fx(place.x, place.y) ^ flips;
     let strata = pixel.seeded.strata_2d;
     if strata == 0u {
         let first = bd_hash_shuffle_rev(reverseBits(index), seed);
@@ -87,9 +91,26 @@ fn bd_dithered_pair(pixel: bd_DitheredPixel, domain: u32, pad: u32, index: u32) 
     return bd_shift_stratified_2d(cell.y, strata, bd_sobol_point(cell.x), offset);
 }
 
-// Where the mask is read.
+// How often there were as many frames as the mask has places.
+fn bd_dithered_round(pixel: bd_DitheredPixel) -> u32 {
+    return pixel.frame >> (2u * BD_SCALAR_LOG2);
+}
+
+// Where the mask is read. In every round places come in another order.
 fn bd_dithered_place(pixel: bd_DitheredPixel, domain: u32, pad: u32) -> vec2<u32> {
-    return pixel.place + bd_torus_offset(pixel.seeded.seed, domain, pad, pixel.frame, BD_SCALAR_LOG2);
+    let seed = pixel.seeded.seed ^ (bd_dithered_round(pixel) * 0xb5297a4du);
+    return pixel.place + bd_torus_offset(seed, domain, pad, pixel.frame, BD_SCALAR_LOG2);
+}
+
+// What tells the flips of a round: none in the first.
+fn bd_dithered_round_seed(pixel: bd_DitheredPixel, domain: u32, pad: u32) -> u32 {
+    let round = bd_dithered_round(pixel);
+    return select(bd_hash_combine(bd_domain_seed(pixel.seeded.seed, domain, pad), ~round), 0u, round == 0u);
+}
+
+// Digits that a round flips in all values of a mask: all or none of the upper eight, and any below.
+fn bd_dithered_flips(seed: u32) -> u32 {
+    return bitcast<u32>(bitcast<i32>(seed) >> 8u);
 }
 
 // The order in which all pixels visit the pattern.

@@ -29,11 +29,13 @@ fn bd_keyed_pixel(seeded: bd_Keyed, x: u32, y: u32, frame: u32) -> bd_KeyedPixel
 // The pair of a domain at an index, 0.32 fixed point.
 fn bd_keyed_pair(pixel: bd_KeyedPixel, domain: u32, pad: u32, index: u32) -> vec2<u32> {
     let place = pixel.place + bd_torus_offset(pixel.seed, domain, pad, pixel.frame, BD_KEYS_LOG2);
-    let order = bd_hash_combine(bd_domain_seed(pixel.seed, domain, pad), pixel.frame);
-    // The lower digits are the domain's.
-    let low = bd_hash_mix(order);
-    let key = bd_keys_key(place.x, place.y) | vec2<u32>(low >> 16u, low & 0xffffu);
-    return bd_linear_packed_rev(bd_hash_shuffle_rev(reverseBits(index), order)).yx ^ key;
+    let seed = bd_hash_combine(bd_domain_seed(pixel.seed, domain, pad), pixel.frame);
+    let key = bd_keys_key(place.x, place.y);
+    // The pixel's own order; the lower digits are as random.
+    let product = ((key.x | (key.y >> 16u)) ^ seed) * 0x9e3779b1u;
+    let order = product ^ (product >> 15u);
+    let point = bd_linear_packed_rev(bd_hash_shuffle_rev(reverseBits(index), order)).yx;
+    return point ^ key ^ vec2<u32>(order >> 16u, order & 0xffffu);
 }
 
 // A single dimension: the first of a pair.

@@ -7,6 +7,10 @@ use bluedither::{Keys, ScalarMask, VectorMask};
 
 use crate::device::Bound;
 
+pub fn net() -> Bound {
+    Bound { table: shader::NET, size: String::new(), words: shader::net_words().collect(), extent: [249, 1] }
+}
+
 pub fn linear_order() -> Bound {
     let words = shader::linear_order_words().collect();
     Bound { table: shader::LINEAR_ORDER, size: String::new(), words, extent: [16, 57] }

@@ -180,6 +180,7 @@ impl Device {
             "r16uint" => wgpu::TextureFormat::R16Uint,
             "rg16uint" => wgpu::TextureFormat::Rg16Uint,
             "r8uint" => wgpu::TextureFormat::R8Uint,
+            "rgba32uint" => wgpu::TextureFormat::Rgba32Uint,
             _ => wgpu::TextureFormat::R32Uint,
         };
         let descriptor = wgpu::TextureDescriptor {

@@ -5,7 +5,7 @@ use crate::peers::{
     PcgPixel, Rand, RandPixel, RandomPattern, RandomPatternPixel, SobolBurley, SobolBurleyPixel, SobolZ, SobolZPixel,
 };
 use crate::shape::{Task, pixels, shapes};
-use bluedither::sampler::{DitheredPixel, KeyedPixel, LinearPixel, WhitePixel};
+use bluedither::sampler::{DitheredPixel, KeyedPixel, SamplerPixel, WhitePixel};
 use bluedither::{Dithered, Keyed, Sampler, White, tables};
 use openqmc::{LatticeBnSampler, PmjBnSampler, SobolBnSampler};
 
@@ -74,6 +74,7 @@ const OFFSETS: usize = size_of_val(&tables::OFFSET_2D_64);
 /// A table of keys, the constants of the points, and 256 points made of them.
 const KEYS: usize = size_of_val(&tables::KEYS_64) + LINEAR + 256 * 8;
 const LINEAR: usize = size_of_val(&tables::LINEAR_ORDER);
+const NET: usize = size_of_val(&tables::NET);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;
 /// A table of keys and ranks for 256 × 256 pixels.
@@ -82,8 +83,8 @@ const OPENQMC: usize = 256 * 256 * 8;
 // Any expression of a type that is listed below; then the bytes of its tables, if it has any.
 samplers! { |seed, spp|
     "white" => White::with_spp(seed, spp),
-    "sampler" => Sampler::with_spp(seed, spp); LINEAR,
-    "sampler-progressive" => Sampler::new(seed); LINEAR,
+    "sampler" => Sampler::with_spp(seed, spp); NET,
+    "sampler-progressive" => Sampler::new(seed); NET,
     "dithered" => Dithered::with_spp(seed, spp); MASKS,
     "dithered-progressive" => Dithered::new(seed); MASKS,
     "dithered-stratified" => Dithered::with_spp(seed, spp).stratified(spp); MASKS,
@@ -105,7 +106,7 @@ samplers! { |seed, spp|
 
 shapes! {
     White, WhitePixel, rows;
-    Sampler, LinearPixel, rows;
+    Sampler, SamplerPixel, rows;
     Dithered<'static>, DitheredPixel<'static>, rows;
     Keyed<'static>, KeyedPixel<'static>, rows;
     RandomPattern, RandomPatternPixel;
@@ -123,7 +124,7 @@ shapes! {
 }
 
 pixels! {
-    WhitePixel; LinearPixel; DitheredPixel<'static>; KeyedPixel<'static>;
+    WhitePixel; SamplerPixel; DitheredPixel<'static>; KeyedPixel<'static>;
     RandomPatternPixel; PcgPixel; RandPixel; JointSobolPixel; SobolBurleyPixel;
     HeitzPixel; OpenQmcPixel<SobolBnSampler>; OpenQmcPixel<LatticeBnSampler>; OpenQmcPixel<PmjBnSampler>; CyclesPixel;
     PbrtPixel; SobolZPixel;

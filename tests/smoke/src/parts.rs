@@ -4,7 +4,7 @@ use bluedither::linear::{Sequence, Tables};
 use bluedither::sobol::Directions;
 use bluedither::tables::{EFFORT, OFFSET_2D_64, SOBOL_16, THRESHOLD_64};
 use bluedither::{
-    Keys, ScalarMask, VectorMask, hash, lattice, linear, shift, sobol, strata, torus, unit, warp, zorder,
+    Keys, ScalarMask, VectorMask, hash, lattice, linear, net, shift, sobol, strata, torus, unit, warp, zorder,
 };
 
 /// Look-ups and bytes.
@@ -55,6 +55,13 @@ pub extern "C" fn sequences(tables: &Tables, columns: &[[u32; 2]; 32], n: usize,
     let own = Sequence::new(columns);
     sum ^= own.packed(a) as u32 ^ own.packed_rev(b) as u32 ^ linear::digits(&[a; 10], a, b);
     sum ^ tables.known(b).map_or(0, |order| order[0][0])
+}
+
+/// Columns of the joint net, of a caller's own tables.
+#[unsafe(no_mangle)]
+pub extern "C" fn joint_net(tables: &net::Tables, spp: u32, bits: u32) -> u32 {
+    let frames = net::add_columns([spp; 4], &tables.frames, bits);
+    tables.known(spp).map_or(0, |order| net::add(frames, net::add_columns([bits; 4], &order.samples, bits))[3])
 }
 
 /// Floats, and back.

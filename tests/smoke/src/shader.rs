@@ -13,6 +13,7 @@ pub extern "C" fn words() -> u32 {
         .chain(shader::keys_words(&KEYS_64))
         .chain(shader::linear_light_words())
         .chain(shader::linear_order_words())
+        .chain(shader::net_words())
         .chain(shader::scalar_words(&THRESHOLD_64))
         .chain(shader::seed_swap_words())
         .chain(shader::time_words(&OWN))

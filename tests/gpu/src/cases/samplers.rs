@@ -49,13 +49,13 @@ macro_rules! sampler {
 }
 
 pub fn cases() -> Vec<Case> {
-    let linear = || vec![bind::linear_order()];
+    let net = || vec![bind::net()];
     let keyed = || vec![bind::linear_order(), bind::keys(&KEYS_64)];
     let lattice = || vec![bind::scalar(&THRESHOLD_64), bind::vector(&LATTICE_64)];
     let masks = || vec![bind::scalar(&THRESHOLD_64), bind::vector(&OFFSET_2D_64)];
     std::iter::empty()
-        .chain(sampler!(linear(), SAMPLER, "sampler", "new(a)", |seed, spp| Sampler::new(seed)))
-        .chain(sampler!(linear(), SAMPLER, "sampler", "with_spp(a, g)", |seed, spp| Sampler::with_spp(seed, spp)))
+        .chain(sampler!(net(), SAMPLER, "sampler", "new(a)", |seed, spp| Sampler::new(seed)))
+        .chain(sampler!(net(), SAMPLER, "sampler", "with_spp(a, g)", |seed, spp| Sampler::with_spp(seed, spp)))
         .chain(sampler!(keyed(), KEYED, "keyed", "with_spp(a, g)", |seed, spp| Keyed::with_spp(seed, spp)))
         .chain(sampler!(lattice(), DITHERED, "dithered", "lattice(a)", |seed, spp| Dithered::lattice(seed)))
         .chain(sampler!(vec![], WHITE, "white", "new(a)", |seed, spp| White::new(seed)))

@@ -1,15 +1,15 @@
 //! Sequences, strata and shifts.
 
 use bluedither::shader::*;
-use bluedither::tables::SOBOL_16;
-use bluedither::{lattice, shift, sobol, strata, zorder};
+use bluedither::tables::{NET, SOBOL_16};
+use bluedither::{lattice, net, shift, sobol, strata, zorder};
 
 use super::{long, low_high};
 use crate::bind;
 use crate::case::{Case, case};
 
 pub fn cases() -> Vec<Case> {
-    [sobols(), lattices(), curves(), stratas(), shifts()].into_iter().flatten().collect()
+    [sobols(), lattices(), curves(), nets(), stratas(), shifts()].into_iter().flatten().collect()
 }
 
 fn sobols() -> Vec<Case> {
@@ -52,6 +52,25 @@ fn curves() -> Vec<Case> {
     vec![
         case(ZORDER, "bd_zorder_morton(a, b)", |[a, b]| low_high(zorder::morton(a, b))),
         case(ZORDER, "bd_zorder_morton_16(a, b)", |[a, b]| [zorder::morton_16(a, b)]),
+    ]
+}
+
+fn nets() -> Vec<Case> {
+    vec![
+        case(JOINT_NET, "bd_net_add(vec4(a, b, c, d), vec4(e, f, g, h))", |[a, b, c, d, e, f, g, h]| {
+            net::add([a, b, c, d], [e, f, g, h])
+        })
+        .with_read(bind::net()),
+        case(JOINT_NET, "bd_net_add_columns(vec4(a, b, c, d), BD_NET_FRAMES, e & 0x7fffu)", |[a, b, c, d, e]| {
+            net::add_columns([a, b, c, d], &NET.frames, e)
+        })
+        .with(bind::net()),
+        // Inside of any order.
+        case(JOINT_NET, "bd_net_add_four(vec4(a, b, c, d), 26u * (e % 9u) + 16u, f, 0u)", |[a, b, c, d, e, f]| {
+            let mut orders = NET.known.iter().chain([&NET.progressive]);
+            net::add_columns([a, b, c, d], &orders.nth(e as usize % 9).expect("there are 9").inside, f)
+        })
+        .with(bind::net()),
     ]
 }
 

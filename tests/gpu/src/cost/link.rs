@@ -4,7 +4,8 @@ use bluedither::shader::{self, Table};
 
 use crate::translate::parse;
 
-const TABLES: [Table; 8] = [
+const TABLES: [Table; 9] = [
+    shader::NET,
     shader::LINEAR_ORDER,
     shader::SCALAR_MASK,
     shader::VECTOR_MASK,

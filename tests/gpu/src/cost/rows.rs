@@ -24,8 +24,8 @@ const fn row(title: &'static str, word: &'static str, sampler: &'static str, mos
 
 #[rustfmt::skip]
 const ROWS: [Row; 11] = [
-    row("`Sampler::with_spp`", "bd_sampler", "bd_sampler_with_spp(bd_fill.seed, bd_fill.spp)", [500, 950, 1850]),
-    row("`Sampler::new`", "bd_sampler", "bd_sampler_new(bd_fill.seed)", [500, 950, 1850]),
+    row("`Sampler::with_spp`", "bd_sampler", "bd_sampler_with_spp(bd_fill.seed, bd_fill.spp)", [570, 630, 760]),
+    row("`Sampler::new`", "bd_sampler", "bd_sampler_new(bd_fill.seed)", [570, 630, 760]),
     row("`Keyed::with_spp`", "bd_keyed", "bd_keyed_with_spp(bd_fill.seed, bd_fill.spp)", [220, 400, 740]),
     row("`Dithered`", "bd_dithered", "bd_dithered_with_spp(bd_fill.seed, bd_fill.spp)", [180, 280, 480]),
     row("`Dithered::lattice`", "bd_dithered", "bd_dithered_lattice(bd_fill.seed)", [150, 240, 400]),
