@@ -15,8 +15,18 @@ fn bd_linear_long(i: u32) -> vec2<u32> {
 
 // Point of a bit-reversed index, both numbers in one word, the first in the upper half.
 fn bd_linear_packed_rev(index_rev: u32) -> vec2<u32> {
-    var sum = bd_linear_long(BD_LINEAR_NIBBLES + 2u * (index_rev >> 28u));
-    sum ^= bd_linear_long(BD_LINEAR_NIBBLES + 32u + 2u * ((index_rev >> 24u) & 15u));
+    return bd_linear_first_rev(index_rev) ^ bd_linear_later_rev(index_rev);
+}
+
+// What the lower eight bits of an index add to it.
+fn bd_linear_first_rev(index_rev: u32) -> vec2<u32> {
+    let sum = bd_linear_long(BD_LINEAR_NIBBLES + 2u * (index_rev >> 28u));
+    return sum ^ bd_linear_long(BD_LINEAR_NIBBLES + 32u + 2u * ((index_rev >> 24u) & 15u));
+}
+
+// And the other bits.
+fn bd_linear_later_rev(index_rev: u32) -> vec2<u32> {
+    var sum = vec2<u32>();
     for (var rest = index_rev & 0xffffffu; rest != 0u; rest &= rest - 1u) {
         sum ^= bd_linear_long(BD_LINEAR_COLUMNS + 2u * (23u - countTrailingZeros(rest)));
     }

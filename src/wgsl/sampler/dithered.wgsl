@@ -104,8 +104,8 @@ fn bd_dithered_place(pixel: bd_DitheredPixel, domain: u32, pad: u32) -> vec2<u32
 
 // What tells the flips of a round: none in the first.
 fn bd_dithered_round_seed(pixel: bd_DitheredPixel, domain: u32, pad: u32) -> u32 {
-    let round = bd_dithered_round(pixel);
-    return select(bd_hash_combine(bd_domain_seed(pixel.seeded.seed, domain, pad), ~round), 0u, round == 0u);
+    let product = bd_dithered_round(pixel) * 0xb5297a4du;
+    return bd_domain_seed(pixel.seeded.seed, domain, pad) * (product ^ (product >> 15u));
 }
 
 // Digits that a round flips in all values of a mask: all or none of the upper eight, and any below.

@@ -34,8 +34,13 @@ fn bd_keyed_pair(pixel: bd_KeyedPixel, domain: u32, pad: u32, index: u32) -> vec
     // The pixel's own order; the lower digits are as random.
     let product = ((key.x | (key.y >> 16u)) ^ seed) * 0x9e3779b1u;
     let order = product ^ (product >> 15u);
-    let point = bd_linear_packed_rev(bd_hash_shuffle_rev(reverseBits(index), order)).yx;
-    return point ^ key ^ vec2<u32>(order >> 16u, order & 0xffffu);
+    let index_rev = bd_hash_shuffle_rev(reverseBits(index), order);
+    var point = bd_linear_first_rev(index_rev);
+    // The same for all pixels, whose orders take as many samples first.
+    if index > 255u {
+        point ^= bd_linear_later_rev(index_rev);
+    }
+    return point.yx ^ key ^ vec2<u32>(order >> 16u, order & 0xffffu);
 }
 
 // A single dimension: the first of a pair.

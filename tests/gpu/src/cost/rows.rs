@@ -26,9 +26,9 @@ const fn row(title: &'static str, word: &'static str, sampler: &'static str, mos
 const ROWS: [Row; 11] = [
     row("`Sampler::with_spp`", "bd_sampler", "bd_sampler_with_spp(bd_fill.seed, bd_fill.spp)", [570, 630, 760]),
     row("`Sampler::new`", "bd_sampler", "bd_sampler_new(bd_fill.seed)", [570, 630, 760]),
-    row("`Keyed::with_spp`", "bd_keyed", "bd_keyed_with_spp(bd_fill.seed, bd_fill.spp)", [240, 440, 860]),
-    row("`Dithered`", "bd_dithered", "bd_dithered_with_spp(bd_fill.seed, bd_fill.spp)", [200, 310, 540]),
-    row("`Dithered::lattice`", "bd_dithered", "bd_dithered_lattice(bd_fill.seed)", [180, 280, 470]),
+    row("`Keyed::with_spp`", "bd_keyed", "bd_keyed_with_spp(bd_fill.seed, bd_fill.spp)", [220, 400, 740]),
+    row("`Dithered`", "bd_dithered", "bd_dithered_with_spp(bd_fill.seed, bd_fill.spp)", [180, 280, 480]),
+    row("`Dithered::lattice`", "bd_dithered", "bd_dithered_lattice(bd_fill.seed)", [150, 240, 400]),
     row("`Dithered::stratified`", "bd_dithered", "bd_dithered_stratified(bd_dithered_new(bd_fill.seed), bd_fill.spp)", [1300, 2500, 5000]),
     row("`White`", "bd_white", "bd_white_new(bd_fill.seed)", [390, 620, 1080]),
     row("`Dither`, four channels", "dither", "0u", [0, 150, 0]),
