@@ -6,7 +6,7 @@
 //! set in the sample's number, one for every bit of the pixel's place inside a block of 4×4, and one for every bit of the
 //! block's place on the curve up to 32×32 pixels; there is a random digital shift above. All eight numbers have their
 //! columns in common, so that the error of an integrand of several of them is blue, too. The lowest two levels of the
-//! curve are not shuffled, which puts the strongest Walsh functions on those of a block that a filter takes away.
+//! curve are shuffled in eight ways only, which puts the strongest Walsh functions on those of a block that a filter takes away.
 //!
 //! Columns are found by annealing the predicted error after a filter: see `tests/search`. Components 2k and 2k+1 are
 //! an own pair, of which every aligned run of 2ᵐ samples is a (0, m, 2)-net in every pixel.

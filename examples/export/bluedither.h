@@ -474,25 +474,24 @@ static inline void bd_net_add_columns(uint32_t sum[4], const uint32_t columns[][
 
 /* ---- sampler: the joint net, recommended ---- */
 
-/* `bits` of a sample's number stand below those of the frame; `known`: whether the number of samples is. */
+/* `bits` of a sample's number stand below those of the frame: 16 if the number of samples is not known. */
 typedef struct {
     const uint32_t (*columns)[4];
-    uint32_t bits, known, seed;
+    uint32_t bits, seed;
 } bd_sampler_t;
 
-/* The seed is that of all frames of one sequence; the frame's digits of a sample's number are `first`, or `digits`. */
+/* The seed is that of all frames of one sequence. */
 typedef struct {
     const uint32_t (*columns)[4];
     uint64_t seed;
-    uint32_t x, y, first, ranks, digits[4];
+    uint32_t x, y, frame, bits;
 } bd_sampler_pixel_t;
 
 /* Progressive: every power of two is a good moment to stop. */
 static inline bd_sampler_t bd_sampler_new(uint32_t seed) {
     bd_sampler_t sampler;
     sampler.columns = bd_net_orders[8];
-    sampler.bits = 0;
-    sampler.known = 0;
+    sampler.bits = 16;
     sampler.seed = seed;
     return sampler;
 }
@@ -508,7 +507,6 @@ static inline bd_sampler_t bd_sampler_with_spp(uint32_t seed, uint32_t spp) {
         if (spp == UINT32_C(1) << bits) {
             sampler.columns = bd_net_orders[k];
             sampler.bits = bits;
-            sampler.known = 1;
         }
     }
     return sampler;
@@ -516,23 +514,27 @@ static inline bd_sampler_t bd_sampler_with_spp(uint32_t seed, uint32_t spp) {
 
 /* The samples of one pixel in one frame. */
 static inline bd_sampler_pixel_t bd_sampler_pixel(bd_sampler_t sampler, uint32_t x, uint32_t y, uint32_t frame) {
-    const uint32_t own = sampler.known ? 16 - sampler.bits : 15;
-    const uint32_t now = frame & ((UINT32_C(1) << own) - 1);
+    const uint32_t own = sampler.bits == 16 ? 15 : 16 - sampler.bits;
     bd_sampler_pixel_t pixel;
-    uint32_t k;
     pixel.columns = sampler.columns;
     pixel.seed = bd_hash_mix_64((uint64_t)sampler.seed << 32 | frame >> own);
     pixel.x = x;
     pixel.y = y;
-    pixel.first = sampler.known ? now << sampler.bits : 0;
-    pixel.ranks = (UINT32_C(1) << sampler.bits) - 1;
-    for (k = 0; k < 4; k++) {
-        pixel.digits[k] = 0;
-    }
-    if (!sampler.known) {
-        bd_net_add_columns(pixel.digits, bd_net_frames, 15, now, 4);
-    }
+    pixel.frame = frame & ((UINT32_C(1) << own) - 1);
+    pixel.bits = sampler.bits;
     return pixel;
+}
+
+/* An order of numbers of 16 bits: bits are added to lower ones at random. */
+static inline uint32_t bd_sampler_ordered(uint32_t number, uint32_t hash) {
+    const uint32_t other = hash * UINT32_C(0x85ebca77), third = hash * UINT32_C(0xc2b2ae3d);
+    number ^= number >> 1 & hash;
+    number ^= number >> 2 & hash >> 16;
+    number ^= number >> 4 & other >> 16;
+    number ^= number >> 8 & other >> 8;
+    number ^= number >> 1 & third >> 16;
+    number ^= number >> 2 & third >> 12;
+    return number ^ (number >> 4 & third >> 8);
 }
 
 /* The first `count` numbers of a domain at an index. */
@@ -547,31 +549,32 @@ static inline void bd_sampler_numbers(const bd_sampler_pixel_t *pixel, uint32_t 
     const uint32_t x = pixel->x + high, y = pixel->y + (high << 16 | high >> 16);
     const uint32_t place = bd_zorder_morton_16(x >> 2, y >> 2);
     const uint32_t curve = bd_hash_laine_karras_4(bd_hash_reverse_bits(place), low);
-    const uint32_t swapped = curve * odd[0] >> 31;
-    const uint32_t inside = ((swapped ? y : x) & 3) | ((swapped ? x : y) & 3) << 2;
+    /* Eight variants of a block of 4x4 pixels. */
+    const uint32_t variant = curve * odd[0] >> 29, swapped = variant & 4;
+    const uint32_t v = (swapped ? x : y) & 3, u = ((swapped ? y : x) & 3) ^ (variant >> 1 & v >> 1);
+    const uint32_t inside = u | (v ^ (variant & u >> 1)) << 2;
     /* The digital shift of 32x32 pixels. */
     const uint32_t shift = bd_hash_mix((curve & UINT32_C(0x03ffffff)) ^ low);
-    /* Each pixel has an order of samples of its own. */
-    const uint32_t own = bd_hash_mix(x ^ (y << 16 | y >> 16) ^ high), other = own * odd[1];
-    uint32_t number = (index ^ pixel->first) & 0xffff, rest[4], sum[4], k;
-    number ^= number >> 1 & own;
-    number ^= number >> 2 & own >> 16;
-    number ^= number >> 4 & other >> 8;
-    number ^= number >> 8 & other >> 16;
-    number ^= number >> 1 & own >> 24;
-    number ^= number >> 2 & other;
-    number ^= number >> 4 & other >> 20;
-    number ^= own >> 8 & pixel->ranks;
+    /* The pixel's order of samples; one of frames that 32x32 pixels have in common. */
+    const uint32_t own = bd_hash_mix(x ^ (y << 16 | y >> 16) ^ high), bits = pixel->bits;
+    const uint32_t ranks = bits == 16 ? 0 : (UINT32_C(1) << bits) - 1;
+    const uint32_t frame = (bits == 16 ? 0 : pixel->frame) ^ index >> bits, later = frame >> (16 - bits);
+    const uint32_t mask = (UINT32_C(1) << bits) - 1;
+    const uint32_t upper = bd_sampler_ordered(frame & ((UINT32_C(1) << (16 - bits)) - 1), shift) << bits;
+    const uint32_t number = ((bd_sampler_ordered((index & mask) | upper, own) & mask) ^ (own >> 8 & ranks)) | upper;
+    uint32_t rest[4], sum[4], k;
     for (k = 0; k < 4; k++) {
-        rest[k] = shift * odd[k] ^ high * odd[3 - k];
-        sum[k] = rest[k] ^ pixel->digits[k];
+        sum[k] = rest[k] = shift * odd[k] ^ high * odd[3 - k];
     }
     bd_net_add_columns(sum, pixel->columns, 16, number, words);
     bd_net_add_columns(sum, pixel->columns + 16, 4, inside, words);
     bd_net_add_columns(sum, pixel->columns + 20, 6, bd_hash_reverse_bits(curve), words);
+    if (bits == 16) {
+        bd_net_add_columns(sum, bd_net_frames, 15, bd_sampler_ordered(pixel->frame, shift), words);
+    }
     /* After 2^16 samples another sequence begins. */
-    if (index >> 16 != 0) {
-        const uint64_t next = bd_hash_mix_64(key ^ (uint64_t)(index >> 16) << 32);
+    if (later != 0) {
+        const uint64_t next = bd_hash_mix_64(key ^ (uint64_t)later << 32);
         for (k = 0; k < 4; k++) {
             const uint32_t anew = (uint32_t)(next >> 32) * odd[k] ^ (uint32_t)next;
             sum[k] ^= anew;

@@ -25,6 +25,25 @@ struct Place {
 
 const ODD: [u32; 4] = [0x9e37_79b1, 0x85eb_ca77, 0xc2b2_ae3d, 0x27d4_eb2f];
 
+/// Bits are added to lower ones, bit by bit.
+fn ordered(number: u32, hash: u32) -> u32 {
+    let [other, third] = [ODD[1], ODD[2]].map(|odd| hash.wrapping_mul(odd));
+    let steps = [
+        (1, hash),
+        (2, hash >> 16),
+        (4, other >> 16),
+        (8, other >> 8),
+        (1, third >> 16),
+        (2, third >> 12),
+        (4, third >> 8),
+    ];
+    let mut bits: Vec<bool> = (0..16).map(|k| number >> k & 1 == 1).collect();
+    for (distance, mask) in steps {
+        bits = (0..16).map(|k| bits[k] ^ (k + distance < 16 && bits[k + distance] && mask >> k & 1 == 1)).collect();
+    }
+    bits.iter().enumerate().fold(0, |sum, (k, &bit)| sum | u32::from(bit) << k)
+}
+
 /// Draws as the text of the module says, without a thought of speed.
 fn twin(spp: Option<u32>, seed: u32, [x, y, frame]: [u32; 3], domain: u32, index: u32) -> [u32; 8] {
     let place = match spp.and_then(|spp| Some((NET.known(spp)?, spp.max(1)))) {
@@ -43,41 +62,46 @@ fn twin(spp: Option<u32>, seed: u32, [x, y, frame]: [u32; 3], domain: u32, index
     let code = zorder::morton(x / 4, y / 4) as u32;
     // In the order of the smallest squares last: its first digits are the place among far squares.
     let curve = hash::laine_karras_4(code.reverse_bits(), low).reverse_bits();
-    let transposed = curve.reverse_bits().wrapping_mul(ODD[0]) >= 1 << 31;
-    let (u, v) = if transposed { (y % 4, x % 4) } else { (x % 4, y % 4) };
+    // Three digits of a hash choose a variant of the block.
+    let variant = curve.reverse_bits().wrapping_mul(ODD[0]) >> 29;
+    let (mut u, mut v) = if variant / 4 == 1 { (y % 4, x % 4) } else { (x % 4, y % 4) };
+    if variant / 2 % 2 == 1 && v >= 2 {
+        u = if u % 2 == 0 { u + 1 } else { u - 1 };
+    }
+    if variant % 2 == 1 && u >= 2 {
+        v = if v % 2 == 0 { v + 1 } else { v - 1 };
+    }
     // Squares of 32×32 pixels: without the six digits inside one.
     let shift = hash::mix((curve >> 6 << 6).reverse_bits() ^ low);
     let own = hash::mix(x ^ y.rotate_right(16) ^ high);
     let rest: Digits = core::array::from_fn(|k| shift.wrapping_mul(ODD[k]) ^ high.wrapping_mul(ODD[3 - k]));
 
-    // The pixel's own order of samples.
-    let other = own.wrapping_mul(ODD[1]);
-    let steps =
-        [(1, own), (2, own >> 16), (4, other >> 8), (8, other >> 16), (1, own >> 24), (2, other), (4, other >> 20)];
-    let frame_above = place.log2.map_or(0, |log2| frame << log2);
-    let mut number: Vec<bool> = (0..16).map(|k| (u64::from(index) ^ frame_above) >> k & 1 == 1).collect();
-    for (distance, mask) in steps {
-        number =
-            (0..16).map(|k| number[k] ^ (k + distance < 16 && number[k + distance] && mask >> k & 1 == 1)).collect();
+    // A frame's samples in the pixel's own order; frames in one of 32×32 pixels, above them or by columns of their own.
+    let bits = place.log2.unwrap_or(16);
+    let per_frame = 1u64 << bits;
+    let frames = u64::from(index) / per_frame ^ if place.log2.is_some() { frame } else { 0 };
+    let per_sequence = (1 << 16) / per_frame;
+    let upper = ordered((frames % per_sequence) as u32, shift) * per_frame as u32;
+    let mut number = ordered((u64::from(index) % per_frame) as u32 + upper, own) % per_frame as u32;
+    if place.log2.is_some() {
+        number ^= (own >> 8) % per_frame as u32;
     }
-    let mut number = (0..16).fold(0, |sum, k| sum | u32::from(number[k]) << k);
-    if let Some(log2) = place.log2 {
-        number ^= (own >> 8) % (1 << log2);
-    }
+    number += upper;
+    let frame = ordered(frame as u32, shift);
 
     // Later sequences are moved as a whole.
-    let later = index >> 16;
+    let later = frames / per_sequence;
     let anew: Digits = if later == 0 {
         [0; 4]
     } else {
-        let key = hash::mix_64(key ^ u64::from(later) << 32);
+        let key = hash::mix_64(key ^ later << 32);
         core::array::from_fn(|k| ((key >> 32) as u32).wrapping_mul(ODD[k]) ^ key as u32)
     };
     let rest: Digits = core::array::from_fn(|k| rest[k] ^ anew[k]);
 
     core::array::from_fn(|n| {
         let upper = (0..16).fold(0, |sum, j| {
-            let frame = place.log2.is_none() && odd(frame_columns, frame as u32, n, j);
+            let frame = place.log2.is_none() && odd(frame_columns, frame, n, j);
             let set = digit(&rest, n, j)
                 ^ odd(columns, number, n, j)
                 ^ odd(&place.order.inside, u + 4 * v, n, j)

@@ -4,15 +4,13 @@ struct bd_Sampler {
     seed: u32,
     // Where the order begins among the constants.
     order: u32,
-    // Bits of a sample's number below those of the frame.
+    // Bits of a sample's number below those of the frame; 16 if the number of samples is not known.
     bits: u32,
-    // Whether the number of samples is not known: frames have columns of their own.
-    progressive: bool,
 }
 
 // Progressive: the sequence goes on for as long as it is asked.
 fn bd_sampler_new(seed: u32) -> bd_Sampler {
-    return bd_Sampler(seed, 8u * BD_NET_ORDER, 0u, true);
+    return bd_Sampler(seed, 8u * BD_NET_ORDER, 16u);
 }
 
 // `spp` samples per pixel: powers of two up to 64, and 256; other numbers are drawn as by bd_sampler_new.
@@ -22,29 +20,41 @@ fn bd_sampler_with_spp(seed: u32, spp: u32) -> bd_Sampler {
         return bd_sampler_new(seed);
     }
     let bits = countTrailingZeros(count);
-    return bd_Sampler(seed, min(bits, 7u) * BD_NET_ORDER, bits, false);
+    return bd_Sampler(seed, min(bits, 7u) * BD_NET_ORDER, bits);
 }
 
 struct bd_SamplerPixel {
     order: u32,
+    bits: u32,
     // Of all frames of one sequence.
     seed: vec2<u32>,
     place: vec2<u32>,
-    // What the frame adds to a sample's number, and to its digits.
-    first: u32,
-    digits: vec4<u32>,
-    // Bits of a sample's number that a pixel may flip.
-    ranks: u32,
+    frame: u32,
 }
 
 // The samples of one pixel in one frame.
 fn bd_sampler_pixel(seeded: bd_Sampler, x: u32, y: u32, frame: u32) -> bd_SamplerPixel {
-    let own = select(16u - seeded.bits, BD_NET_FRAME_BITS, seeded.progressive);
+    let own = select(16u - seeded.bits, BD_NET_FRAME_BITS, seeded.bits == 16u);
     let seed = bd_hash_mix_64(vec2<u32>(frame >> own, seeded.seed));
-    let now = frame & ((1u << own) - 1u);
-    let first = select(now << seeded.bits, 0u, seeded.progressive);
-    let digits = bd_net_add_columns(vec4<u32>(), BD_NET_FRAMES, select(0u, now, seeded.progressive));
-    return bd_SamplerPixel(seeded.order, seed, vec2<u32>(x, y), first, digits, (1u << seeded.bits) - 1u);
+    return bd_SamplerPixel(seeded.order, seeded.bits, seed, vec2<u32>(x, y), frame & ((1u << own) - 1u));
+}
+
+// An order of numbers of 16 bits: bits are added to lower ones at random.
+fn bd_sampler_ordered(number: u32, hash: u32) -> u32 {
+    var n = number ^ ((number >> 1u) & hash);
+    n ^= (n >> 2u) & (hash >> 16u);
+    let other = hash * 0x85ebca77u;
+    if number > 15u {
+        n ^= (n >> 4u) & (other >> 16u);
+        n ^= (n >> 8u) & (other >> 8u);
+    }
+    let third = hash * 0xc2b2ae3du;
+    n ^= (n >> 1u) & (third >> 16u);
+    if number > 3u {
+        n ^= (n >> 2u) & (third >> 12u);
+        n ^= (n >> 4u) & (third >> 8u);
+    }
+    return n;
 }
 
 // Sample `index` for purpose `domain`: eight numbers, 0.32 fixed point.
@@ -54,33 +64,34 @@ fn bd_sampler_numbers(pixel: bd_SamplerPixel, domain: u32, index: u32) -> array<
     // Every domain lies elsewhere on the plane, on a curve of its own.
     let at = pixel.place + vec2<u32>(key.y, (key.y << 16u) | (key.y >> 16u));
     let curve = bd_hash_laine_karras_4(reverseBits(bd_zorder_morton_16(at.x >> 2u, at.y >> 2u)), key.x);
-    let inside = select(at, at.yx, (curve * odd.x) >> 31u == 1u);
+    // Eight variants of a block of 4x4 pixels.
+    let variant = (curve * odd.x) >> 29u;
+    var inside = select(at, at.yx, (variant & 4u) == 4u) & vec2<u32>(3u);
+    inside.x ^= (variant >> 1u) & (inside.y >> 1u);
+    inside.y ^= variant & (inside.x >> 1u);
     // The digital shift of 32x32 pixels.
     let shift = bd_hash_mix(((curve << 6u) >> 6u) ^ key.x);
     let own = bd_hash_mix(at.x ^ ((at.y << 16u) | (at.y >> 16u)) ^ key.y);
     var rest = (vec4<u32>(shift) * odd) ^ (vec4<u32>(key.y) * odd.wzyx);
-    var digits = bd_net_add_two(rest ^ pixel.digits, pixel.order + BD_NET_INSIDE, inside.x, 0u);
+    var digits = bd_net_add_two(rest, pixel.order + BD_NET_INSIDE, inside.x, 0u);
     digits = bd_net_add_two(digits, pixel.order + BD_NET_INSIDE + 2u, inside.y, 0u);
     let place = reverseBits(curve);
     digits = bd_net_add_four(digits, pixel.order + BD_NET_PLACE, place, 0u);
     digits = bd_net_add_two(digits, pixel.order + BD_NET_PLACE + 4u, place, 4u);
-    // The pixel's order of samples. How many bits there are is the same for all pixels, and so is every branch.
-    let number = (index ^ pixel.first) & 0xffffu;
-    let most = number | pixel.ranks;
+    // How many bits there are is the same for all pixels, and so is every branch.
+    let known = pixel.bits < 16u;
+    let low = index & ((1u << pixel.bits) - 1u);
+    let ranks = select(0u, (1u << pixel.bits) - 1u, known);
+    let frame = select(0u, pixel.frame, known) ^ (index >> pixel.bits);
+    let frames = frame & ((1u << (16u - pixel.bits)) - 1u);
+    let most = low | ranks | (frames << pixel.bits);
     if most != 0u {
-        var n = number ^ ((number >> 1u) & own);
-        n ^= (n >> 2u) & (own >> 16u);
-        let other = own * odd.y;
-        if number > 15u {
-            n ^= (n >> 4u) & (other >> 8u);
-            n ^= (n >> 8u) & (other >> 16u);
+        // The pixel's order of samples; one of frames that 32x32 pixels have in common.
+        var upper = 0u;
+        if frames != 0u {
+            upper = bd_sampler_ordered(frames, shift) << pixel.bits;
         }
-        n ^= (n >> 1u) & (own >> 24u);
-        if number > 3u {
-            n ^= (n >> 2u) & other;
-            n ^= (n >> 4u) & (other >> 20u);
-        }
-        n ^= (own >> 8u) & pixel.ranks;
+        let n = ((bd_sampler_ordered(low | upper, own) & ((1u << pixel.bits) - 1u)) ^ ((own >> 8u) & ranks)) | upper;
         digits = bd_net_add_four(digits, pixel.order, n, 0u);
         if most > 15u {
             digits = bd_net_add_four(digits, pixel.order + 4u, n, 4u);
@@ -90,9 +101,17 @@ fn bd_sampler_numbers(pixel: bd_SamplerPixel, domain: u32, index: u32) -> array<
             }
         }
     }
+    if !known && pixel.frame != 0u {
+        let n = bd_sampler_ordered(pixel.frame, shift);
+        digits = bd_net_add_four(digits, BD_NET_FRAMES, n, 0u);
+        digits = bd_net_add_four(digits, BD_NET_FRAMES + 4u, n, 4u);
+        digits = bd_net_add_four(digits, BD_NET_FRAMES + 8u, n, 8u);
+        digits = bd_net_add_two(digits, BD_NET_FRAMES + 12u, n, 12u) ^ bd_net_term(BD_NET_FRAMES + 14u, n, 14u);
+    }
     // After 2^16 samples another sequence begins.
-    if index > 0xffffu {
-        let next = bd_hash_mix_64(key ^ vec2<u32>(0u, index >> 16u));
+    let later = frame >> (16u - pixel.bits);
+    if later != 0u {
+        let next = bd_hash_mix_64(key ^ vec2<u32>(0u, later));
         let anew = (vec4<u32>(next.y) * odd) ^ vec4<u32>(next.x);
         digits ^= anew;
         rest ^= anew;

@@ -60,7 +60,7 @@ impl<'a> Model<'a> {
             digits: [
                 [6, 6, 7, 7, 8, 8, 8, 8, 8][m],
                 [4, 4, 4, 5, 5, 5, 6, 6, 6][m],
-                if fours && m >= 5 { FOUR } else { 0 },
+                if fours && m >= 3 { FOUR } else { 0 },
             ],
             mains: vec![0.0; 1 << DIGITS[0]],
             own: vec![0.0; 1 << (2 * PAIR)],

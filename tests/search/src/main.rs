@@ -25,15 +25,15 @@ use rayon::prelude::*;
 
 /// log₂ of the numbers of samples that have an order, and tries; the last order is for any number.
 const ORDERS: [(Option<usize>, usize); 9] = [
-    (Some(0), 200_000),
+    (Some(0), 300_000),
     (Some(1), 200_000),
     (Some(2), 200_000),
     (Some(3), 150_000),
     (Some(4), 150_000),
-    (Some(5), 80_000),
-    (Some(6), 80_000),
-    (Some(8), 60_000),
-    (None, 80_000),
+    (Some(5), 120_000),
+    (Some(6), 120_000),
+    (Some(8), 100_000),
+    (None, 300_000),
 ];
 
 fn main() -> std::io::Result<()> {

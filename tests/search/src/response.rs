@@ -1,4 +1,5 @@
-//! What a filter leaves of a character over the picture: its Walsh function over 4×4 pixels times a sign of the block.
+//! What a filter leaves of a character over the picture: its Walsh function over 4×4 pixels, in one of eight variants, times a
+//! sign of the block.
 //!
 //! The sign is that of a place on the shuffled curve: the same up to some level, one of three ways to halve a 2×2 square of
 //! cells there, unrelated above.
@@ -15,9 +16,9 @@ const SIDE: usize = 128;
 const BLOCKS: usize = SIDE / 4;
 const PICTURES: u64 = 16;
 /// Standard deviations of the filters, and their weights.
-const FILTERS: [(f64, f64); 4] = [(1.0, 1.0), (2.1, 0.1), (4.0, 0.05), (8.0, 0.05)];
+const FILTERS: [(f64, f64); 4] = [(1.0, 1.0), (2.1, 0.1), (4.0, 0.05), (8.0, 0.08)];
 /// What a sign that is the same over more than a block costs, by level: it makes a texture.
-const REGULAR: [f32; LEVELS] = [0.0, 0.4, 1.2, 3.2];
+const REGULAR: [f32; LEVELS] = [0.0, 0.2, 0.6, 1.6];
 
 /// For each function of a place what it costs, white noise 1 for every filter.
 pub fn costs() -> Vec<f32> {
@@ -27,10 +28,7 @@ pub fn costs() -> Vec<f32> {
     let of = |function: usize| {
         let (inside, place) = (function & 15, function >> 4);
         let level = if place == 0 { LEVELS - 1 } else { place.trailing_zeros() as usize / 2 };
-        // Half of the blocks are transposed.
-        let transposed = inside >> 2 | (inside & 3) << 2;
-        let regular = if inside == 0 { 0.0 } else { REGULAR[level] };
-        0.5 * (table[inside][level] + table[transposed][level]) + regular
+        table[inside][level] + if inside == 0 { 0.0 } else { REGULAR[level] }
     };
     (0..FUNCTIONS).map(of).collect()
 }
@@ -79,13 +77,21 @@ fn image(inside: usize, level: usize, random: &mut Random) -> Vec<f64> {
             }
         }
     }
+    let variants: Vec<usize> = (0..BLOCKS * BLOCKS).map(|_| random.below(8)).collect();
     let pixel = |i: usize| {
         let (x, y) = (i % SIDE, i / SIDE);
-        let odd = (((x & 3) | (y & 3) << 2) & inside).count_ones() & 1 == 1;
-        let sign = signs[y / 4 * BLOCKS + x / 4];
-        if odd { -sign } else { sign }
+        let block = y / 4 * BLOCKS + x / 4;
+        let odd = (place_inside(x & 3, y & 3, variants[block]) & inside).count_ones() & 1 == 1;
+        if odd { -signs[block] } else { signs[block] }
     };
     (0..SIDE * SIDE).map(pixel).collect()
+}
+
+/// As `Sampler` has it: transposed or not; the upper bits added to the lower ones of the other axis or not.
+fn place_inside(x: usize, y: usize, variant: usize) -> usize {
+    let (u, v) = if variant & 4 == 4 { (y, x) } else { (x, y) };
+    let u = u ^ (variant >> 1 & v >> 1 & 1);
+    u | (v ^ (variant & u >> 1 & 1)) << 2
 }
 
 /// Filtered along the rows, and transposed.
