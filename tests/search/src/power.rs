@@ -9,7 +9,7 @@ use crate::random::Random;
 use crate::ridge::Ridge;
 
 /// Digits of a number that are looked at where it stands alone, in pairs, in triples and in fours.
-pub const DIGITS: [usize; 4] = [12, 8, 6, 4];
+pub const DIGITS: [usize; 4] = [12, 10, 6, 4];
 
 /// Mean power by the number of numbers: at index c₁ | c₂ << digits | …, symmetric, 0 where a part of the character is 0.
 #[derive(Debug)]
