@@ -14,13 +14,14 @@
 /// 16 digits of each of the eight numbers: of number 2k in the upper half of word k, of number 2k+1 in the lower half.
 pub type Digits = [u32; 4];
 
-/// Digits of a number, and bits of a sample's number that have a column.
+/// Digits of a number, and bits of a sample's number that have a column: two numbers a word, eight in 128 bits.
 pub const DIGITS: u32 = 16;
 /// Bits of a pixel's place inside a block of 4×4: two of x, two of y.
 pub const INSIDE: usize = 4;
 /// Bits of a block's place on the curve that have a column: squares of 8×8, 16×16 and 32×32 pixels.
 pub const PLACE: usize = 6;
-/// Bits of a frame that have a column of their own where the number of samples is not known.
+/// Bits of a frame that have a column of their own where the number of samples is not known: five digits in base 8, of which
+/// every number of frames is a net (see `tests/search`).
 pub const FRAMES: usize = 15;
 
 /// All columns for a number of samples. 416 bytes.
@@ -34,7 +35,7 @@ pub struct Order {
     pub place: [Digits; PLACE],
 }
 
-/// Numbers of samples that have an order: 1, 2, 4, …, 64, 256, and any.
+/// Numbers of samples that have an order: 1, 2, 4, …, 64, 256, and any. All that fit into 4 KiB: 128 has none.
 pub const ORDERS: usize = 9;
 
 /// All constants of the joint net.
@@ -74,7 +75,8 @@ pub const fn add(a: Digits, b: Digits) -> Digits {
     [a[0] ^ b[0], a[1] ^ b[1], a[2] ^ b[2], a[3] ^ b[3]]
 }
 
-/// `sum` and the columns of all bits that are set in `bits`, of which only as many count as there are columns.
+/// `sum` and the columns of all bits that are set in `bits`, of which only as many count as there are columns. Six operations a
+/// column, or two where a processor has vectors of four.
 #[inline(always)]
 #[must_use]
 pub const fn add_columns<const N: usize>(sum: Digits, columns: &[Digits; N], bits: u32) -> Digits {

@@ -12,9 +12,9 @@ use crate::{hash, lattice, shift, sobol, strata, torus};
 /// white, and from 16 on [`White`](crate::White), which has better points, leaves less of it. A draw costs a few
 /// hashes, a look-up and a Sobol point, and with strata a division or more.
 ///
-/// A mask has as many places as pixels: of thousands of domains or seeds some two read the same one. Frame after frame all
-/// places are read, then all again in another order and with other values, so that the mean over frames goes on getting
-/// better: at one sample its error is that of independent frames, and from a thousand on less.
+/// A mask has as many places as pixels: of thousands of domains or seeds some two read the same one. As many frames read
+/// about five sixths of the places; then comes a round from another start and with other values, so that the mean over
+/// frames goes on getting better: at one sample its error is that of independent frames, and from a thousand on less.
 #[derive(Clone, Copy, Debug)]
 pub struct Dithered<'a, const S: usize = 64> {
     scalar: &'a ScalarMask<S>,
@@ -154,7 +154,7 @@ impl<const S: usize> DitheredPixel<'_, S> {
         self.frame >> (2 * ScalarMask::<S>::SIZE_LOG2)
     }
 
-    /// Where the mask is read. In every round places come in another order, or frames would go on to repeat each other's
+    /// Where the mask is read. Every round starts elsewhere, or frames would go on to repeat each other's
     /// values, and their mean would not get better.
     #[inline]
     const fn place(self, domain: u32, pad: u32) -> (u32, u32) {
@@ -181,7 +181,7 @@ impl<const S: usize> DitheredPixel<'_, S> {
 /// Odd, without a pattern: rounds and the seeds in use do not meet.
 const ROUND: u32 = 0xb529_7a4d;
 
-/// Digits that a round flips in all values of a mask: all or none of the upper eight, which leaves their blueness as it is,
+/// Digits that a round flips in all values of a mask: all or none of the upper nine, which leaves their blueness as it is,
 /// and any below, which changes little. (Any below the sixth cost a twentieth.) The values stay a net, but of another set: the
 /// mean over rounds would else never get better than that over the mask, which a half-plane misses by up to a hundredth.
 #[inline(always)]

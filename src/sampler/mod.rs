@@ -19,16 +19,16 @@
 //! ```
 
 mod dithered;
-mod joint;
 mod keyed;
+mod net;
 mod padded;
 mod row;
 mod shape;
 mod white;
 
 pub use dithered::{Dithered, DitheredPixel};
-pub use joint::{Sampler, SamplerPixel};
 pub use keyed::{Keyed, KeyedPixel};
+pub use net::{Sampler, SamplerPixel};
 pub use white::{White, WhitePixel};
 
 use padded::{Pair, Single, domain_seed, padded, spread};

@@ -233,7 +233,7 @@ fn the_mean_over_frames_goes_on_converging() {
     }
 }
 
-/// A round flips digits of all pixels alike, of the upper eight all or none: each rank stands once, near values stay near,
+/// A round flips digits of all pixels alike, of the upper nine all or none: each rank stands once, near values stay near,
 /// and every frame alone is as blue as the mask. The first round flips nothing.
 #[test]
 fn every_frame_has_the_order_of_the_mask_or_the_other() {

@@ -58,7 +58,7 @@ fn the_net_links_less_than_4_kib() {
     assert_eq!(size_of::<bluedither::net::Tables>(), 3_984);
     assert_eq!(size_of::<linear::Tables>(), 3_648);
     assert!(size_of::<bluedither::Sampler>() <= 24);
-    let texts = [include_str!("../../README.md"), include_str!("../../src/sampler/joint.rs")];
+    let texts = [include_str!("../../README.md"), include_str!("../../src/sampler/net.rs")];
     assert!(texts.iter().all(|text| text.contains("3,984 bytes")), "README and docs state the bytes");
 }
 

@@ -108,7 +108,7 @@ fn bd_dithered_round_seed(pixel: bd_DitheredPixel, domain: u32, pad: u32) -> u32
     return bd_domain_seed(pixel.seeded.seed, domain, pad) * (product ^ (product >> 15u));
 }
 
-// Digits that a round flips in all values of a mask: all or none of the upper eight, and any below.
+// Digits that a round flips in all values of a mask: all or none of the upper nine, and any below.
 fn bd_dithered_flips(seed: u32) -> u32 {
     return bitcast<u32>(bitcast<i32>(seed) >> 8u);
 }
