@@ -141,7 +141,7 @@ impl SamplerPixel {
     #[inline(always)]
     fn numbers<const D: usize>(self, domain: u32, index: u32) -> [u32; D] {
         let (domain, number) = self.domain(domain).sample(index);
-        domain.split(net::add_columns(domain.digits, domain.columns, number))
+        domain.split(domain.at(number))
     }
 
     #[inline]
@@ -154,7 +154,8 @@ impl SamplerPixel {
     ) {
         let domain = self.domain(domain);
         // The pixel's order is linear: sums of what single bits add, of four of them by a table.
-        let step = |bit: u32| net::add_columns([0; 4], domain.columns, domain.samples.order(1 << bit));
+        let lowest = domain.columns.first_chunk::<4>().unwrap_or(&[[0; 4]; 4]);
+        let step = |bit: u32| net::add_columns([0; 4], lowest, domain.samples.order(1 << bit));
         let mut sums = [[0; 4]; RUN];
         let steps = [step(0), step(1), step(2), step(3)];
         let mut k = 1;
@@ -171,7 +172,7 @@ impl SamplerPixel {
             let from = (index ^ upper) as usize;
             let (run, behind) = rest.split_at_mut(rest.len().min((1 << run_log2) - from));
             let (domain, number) = domain.sample(upper);
-            let base = net::add_columns(domain.digits, domain.columns, number);
+            let base = domain.at(number);
             for (sample, sum) in run.iter_mut().zip(sums.iter().skip(from)) {
                 *sample = domain.split(net::add(base, *sum)).map(convert);
             }
@@ -237,6 +238,14 @@ impl Domain {
         (Self { digits: net::add(self.digits, anew), rest: net::add(self.rest, anew), ..self }, number)
     }
 
+    /// The digits of a number. Most have eight bits at most, and one branch is less than eight columns.
+    #[inline(always)]
+    const fn at(self, number: u32) -> Digits {
+        let (first, rest) = halves(self.columns);
+        let digits = net::add_columns(self.digits, first, number);
+        if number >> 8 == 0 { digits } else { net::add_columns(digits, rest, number >> 8) }
+    }
+
     /// 32 digits of each number.
     #[inline(always)]
     fn split<const D: usize>(self, digits: Digits) -> [u32; D] {
@@ -249,6 +258,16 @@ impl Domain {
             k += 1;
         }
         core::array::from_fn(|k| numbers[k & 7])
+    }
+}
+
+/// The columns of the lower eight bits, and of the upper ones.
+#[inline(always)]
+const fn halves(columns: &[Digits; net::DIGITS as usize]) -> (&[Digits; 8], &[Digits; 8]) {
+    match (columns.first_chunk(), columns.last_chunk()) {
+        (Some(first), Some(last)) => (first, last),
+        // Of sixteen there are eight.
+        _ => (&[[0; 4]; 8], &[[0; 4]; 8]),
     }
 }
 
