@@ -20,12 +20,12 @@ mod hash;
 #[path = "src/lattice.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod lattice;
-#[path = "src/linear.rs"]
-#[allow(dead_code, reason = "the library uses the rest")]
-mod linear;
 #[path = "src/net.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod net;
+#[path = "src/sequence.rs"]
+#[allow(dead_code, reason = "the library uses the rest")]
+mod sequence;
 #[path = "src/sobol.rs"]
 #[allow(dead_code, reason = "the library uses the rest")]
 mod sobol;
@@ -38,10 +38,10 @@ use std::time::Instant;
 
 use bake::filter::{self, Filter};
 use bake::inputs::Inputs;
-use bake::linear_order::LinearOrder;
 use bake::net::Net;
 use bake::recipe::Recipe;
 use bake::record::Digests;
+use bake::sequence::Columns;
 use effort::Effort;
 
 fn main() {
@@ -62,11 +62,11 @@ fn run() -> Result<(), String> {
     let mut text = bake::embed::effort(effort) + &Net::read(&tables)?.embed();
     if recipes.is_empty() {
         // Nothing else is read: that is how damaged inputs can be recorded anew.
-        text += &LinearOrder::read(&tables)?.embed();
+        text += &Columns::read(&tables)?.embed();
     } else {
         let digests = Digests::read(&tables)?;
         let inputs = Inputs { filter, ..Inputs::read(&tables, &digests)? };
-        text += &inputs.linear_order.embed();
+        text += &inputs.sequence.embed();
         text += &bake_all(&recipes, effort, &inputs, &digests);
     }
     if recipes.iter().any(|recipe| recipe.is_filtered()) {

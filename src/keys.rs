@@ -2,9 +2,8 @@
 //! (Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019).
 //!
 //! A pixel's sample i is point i ⊕ rank of the sequence, ⊕ its key. XOR with a key maps every elementary interval onto
-//! one of the same size, so that each pixel keeps a net at every power of two. Here the sequence is
-//! [linear](crate::linear): point i ⊕ r is point i ⊕ point r, so that a rank is a change of the key, and keys are all
-//! there is.
+//! one of the same size, so that each pixel keeps a net at every power of two. Here point i ⊕ r of the
+//! [sequence](crate::sequence) is point i ⊕ point r, so that a rank is a change of the key, and keys are all there is.
 
 use crate::torus;
 

@@ -91,9 +91,9 @@
 //! | `embedded-graphics` | `dither::target`, a draw target of fewer colours; needs `embedded-graphics-core` | |
 //!
 //! With `default-features = false` the crate has no dependency at run time and keeps all that needs no table:
-//! [`Sampler`], [`White`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`linear`], [`net`], [`zorder`], [`lattice`],
-//! [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), and [`Dithered`] and [`Keyed`] by masks and keys of
-//! your own.
+//! [`Sampler`], [`White`], [`candidate`], [`dither`], [`frames::masks`], [`sobol`], [`sequence`], [`net`],
+//! [`zorder`], [`lattice`], [`strata`], [`shift`], [`hash`], [`torus`], [`unit`](mod@unit), and [`Dithered`] and
+//! [`Keyed`] by masks and keys of your own.
 //!
 //! The environment variable `BLUEDITHER_EFFORT` (`quick`, `normal`, `thorough`) sets how long the tables are
 //! optimised; [`tables::EFFORT`] tells how long they were. `cargo build -vv` shows what was baked.
@@ -118,12 +118,12 @@ pub mod frames;
 pub mod hash;
 pub mod keys;
 pub mod lattice;
-pub mod linear;
 pub mod mask;
 pub mod net;
 #[cfg(feature = "pattern")]
 pub mod pattern;
 pub mod sampler;
+pub mod sequence;
 #[cfg(feature = "wgsl")]
 pub mod shader;
 pub mod shift;

@@ -437,21 +437,21 @@ static inline uint32_t bd_domain_own(uint32_t domain, uint32_t pad) {
     BD_DRAW(sampler, 7)                                                                                                \
     BD_DRAW(sampler, 8)
 
-/* ---- linear: the sequence of Keyed ---- */
+/* ---- sequence: the sequence of Keyed ---- */
 
-@linear@
+@sequence@
 
 /* Point `index_rev`, bit-reversed, of the sequence that all pixels share. */
-static inline void bd_linear_point_rev(uint32_t index_rev, uint32_t out[2]) {
-    const uint32_t *low = bd_linear_nibbles[0][index_rev >> 28];
-    const uint32_t *high = bd_linear_nibbles[1][index_rev >> 24 & 15];
+static inline void bd_sequence_point_rev(uint32_t index_rev, uint32_t out[2]) {
+    const uint32_t *low = bd_sequence_nibbles[0][index_rev >> 28];
+    const uint32_t *high = bd_sequence_nibbles[1][index_rev >> 24 & 15];
     uint32_t rest = index_rev << 8, bit;
     out[0] = low[0] ^ high[0];
     out[1] = low[1] ^ high[1];
     for (bit = 0; rest != 0; rest <<= 1, bit++) {
         if (rest >> 31) {
-            out[0] ^= bd_linear_columns[bit][0];
-            out[1] ^= bd_linear_columns[bit][1];
+            out[0] ^= bd_sequence_columns[bit][0];
+            out[1] ^= bd_sequence_columns[bit][1];
         }
     }
 }
@@ -641,7 +641,7 @@ static inline void bd_keyed_point(const bd_keyed_pixel_t *pixel, uint32_t domain
     bd_keys_key(sampler.keys, pixel->x + place[0], pixel->y + place[1], key);
     order = ((key[0] | key[1] >> 16) ^ seed) * UINT32_C(0x9e3779b1);
     order ^= order >> 15; /* the pixel's own; the lower digits are as random */
-    bd_linear_point_rev(bd_hash_shuffle_rev(index_rev, order), out);
+    bd_sequence_point_rev(bd_hash_shuffle_rev(index_rev, order), out);
     out[0] ^= key[0] | order >> 16;
     out[1] ^= key[1] | (order & 0xffff);
 }

@@ -10,8 +10,8 @@ use super::digest::digest;
 use super::features::Column;
 use super::filter::Filter;
 use super::keys;
-use super::linear_order::LinearOrder;
 use super::record::{Digests, read_text};
+use super::sequence::Columns;
 
 /// The contents of `tables/`, checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,7 +31,7 @@ pub struct Inputs {
     /// What [`super::features`] says of shifted lattices.
     pub features_lattice: Vec<Column>,
     /// What keys are points of.
-    pub linear_order: LinearOrder,
+    pub sequence: Columns,
     /// Not of a file: what the user says comes after the mask.
     pub filter: Filter,
 }
@@ -80,7 +80,7 @@ impl Inputs {
             features_2d: columns("features_2d", LANES)?,
             features_keys: columns("features_keys", keys::PREFIXES.len() * keys::LANES)?,
             features_lattice: columns("features_lattice", LANES)?,
-            linear_order: LinearOrder::read(tables)?,
+            sequence: Columns::read(tables)?,
             filter: Filter::default(),
         })
     }

@@ -1,6 +1,6 @@
 //! Keys of a tile: the first points of the sequence, one for every pixel, so that they are a net over the tile.
 //!
-//! A pixel's samples are points 0, 1, 2, … of a [linear](crate::linear) sequence ⊕ its key. If the key is point k, they are
+//! A pixel's samples are points 0, 1, 2, … of the [sequence](crate::sequence) ⊕ its key. If the key is point k, they are
 //! points k, k ⊕ 1, k ⊕ 2, …: of the first 2ᵐ samples k >> m tells which block of the sequence they are.
 //!
 //! ```text
@@ -26,7 +26,7 @@ use rand::rngs::Xoshiro256PlusPlus;
 
 use super::anneal::{Window, Words, difference, near, pack, shuffled};
 use super::features::Column;
-use crate::linear::Sequence;
+use crate::sequence::Sequence;
 
 /// Numbers of samples whose errors are annealed.
 pub const PREFIXES: [u32; 4] = [1, 4, 16, 64];

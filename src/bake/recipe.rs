@@ -9,7 +9,7 @@ use super::inputs::Inputs;
 use super::void_and_cluster::{self, Window, void_and_cluster};
 use super::{anneal, features, keys, retarget};
 use crate::effort::Effort;
-use crate::linear::Sequence;
+use crate::sequence::Sequence;
 
 /// What a mask is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -217,7 +217,7 @@ impl Recipe {
     }
 
     fn bake_keys(self, effort: Effort, inputs: &Inputs, rng: &mut Xoshiro256PlusPlus) -> Vec<u16> {
-        let sequence = Sequence::new(&inputs.linear_order.sequence);
+        let sequence = Sequence::new(&inputs.sequence.0);
         let points = keys::points(&sequence, 1 << (2 * self.size_log2));
         let block = |(columns, prefix)| keys::vectors(&points, prefix as usize, columns, &inputs.cosine);
         let features: Vec<_> = inputs.features_keys.chunks(keys::LANES).zip(keys::PREFIXES).map(block).collect();

@@ -1,18 +1,18 @@
 //! Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019: one sequence for the image, scrambled by keys of every pixel.
 
 use super::{Pair, call_shape, domain_seed, halves, padded, row_by_pixels, row_shape};
-use crate::tables::LINEAR_ORDER;
+use crate::tables::SEQUENCE;
 use crate::{hash, keys::Keys, torus};
 
-/// The points of [`Sampler`](crate::Sampler), XORed in every pixel with the keys of a tile.
+/// The points of one [sequence](crate::sequence), XORed in every pixel with the keys of a tile.
 ///
-/// Blue at every number of samples, with one bluer than the progressive order of `Sampler`; a net of its own in every
-/// pixel at every power of two. The keys are a net, too: of the first samples of a tile, and of the second ones, each of
-/// S² equal parts of the interval has exactly one in each channel. Every domain, pad and frame reads the tile at a place of
-/// its own, and every pixel visits its points in an order of its own for each of them, so that the joint error of two
-/// domains is white noise. (Between powers of two pixels have different points, and the error is less blue.) A domain
-/// costs a pixel a look-up, two products and some XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of
-/// points; from the 257th on another look-up for each bit set above the eighth.
+/// Blue at every number of samples; a net of its own in every pixel at every power of two. The keys are a net, too:
+/// of the first samples of a tile, and of the second ones, each of S² equal parts of the interval has exactly one
+/// in each channel. Every domain, pad and frame reads the tile at a place of its own, and every pixel visits its
+/// points in an order of its own for each of them, so that the joint error of two domains is white noise. (Between
+/// powers of two pixels have different points, and the error is less blue.) A domain costs a pixel a look-up, two
+/// products and some XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points; from the
+/// 257th on another look-up for each bit set above the eighth.
 ///
 /// The first samples of two domains or frames are as good as uncorrelated over the pixels of a tile. A tile is patches of
 /// 16×16 pixels, turned and mirrored at random: their errors show more of a pattern than an annealed mask has, and the tile
@@ -111,7 +111,7 @@ impl Pair for KeyedPair {
 /// What the bits above the eighth add to a point.
 #[cold]
 const fn later(index_rev: u32) -> [u32; 2] {
-    halves(LINEAR_ORDER.sequence.packed_rev(index_rev & 0x00ff_ffff))
+    halves(SEQUENCE.packed_rev(index_rev & 0x00ff_ffff))
 }
 
 #[inline(always)]
@@ -124,7 +124,7 @@ static POINTS_REV: [[u32; 2]; 256] = {
     let mut points = [[0; 2]; 256];
     let mut index = 0u32;
     while index < 256 {
-        points[(index.reverse_bits() >> 24) as usize] = halves(LINEAR_ORDER.sequence.packed(index));
+        points[(index.reverse_bits() >> 24) as usize] = halves(SEQUENCE.packed(index));
         index += 1;
     }
     points

@@ -41,14 +41,13 @@ mod table;
 mod words;
 
 pub use table::{
-    DIRECTION_NUMBERS, KEYS_TILE, LINEAR_LIGHT, LINEAR_ORDER, NET, SCALAR_MASK, SEED_SWAPS, TIME_MASK, Table,
-    VECTOR_MASK,
+    DIRECTION_NUMBERS, KEYS_TILE, LINEAR_LIGHT, NET, SCALAR_MASK, SEED_SWAPS, SEQUENCE, TIME_MASK, Table, VECTOR_MASK,
 };
 #[cfg(feature = "gamma")]
 pub use words::linear_light_words;
 #[cfg(feature = "seed-permutation")]
 pub use words::seed_swap_words;
-pub use words::{direction_words, keys_words, linear_order_words, net_words, scalar_words, time_words, vector_words};
+pub use words::{direction_words, keys_words, net_words, scalar_words, sequence_words, time_words, vector_words};
 
 /// Texts that go together: a set of modules that holds all that each of them needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,8 +114,8 @@ modules! {
     DIRECTIONS "directions" [HASH]
     /// [`lattice`](crate::lattice): `bd_lattice_…`.
     LATTICE "lattice" [WIDE]
-    /// [`linear`](crate::linear): `bd_linear_…`; reads [`LINEAR_ORDER`].
-    LINEAR "linear" []
+    /// [`sequence`](crate::sequence): `bd_sequence_…`; reads [`SEQUENCE`].
+    KEYED_SEQUENCE "sequence" []
     /// [`zorder`](crate::zorder): `bd_zorder_…`.
     ZORDER "zorder" []
     /// [`net`](crate::net): `bd_net_…`; reads [`NET`].
@@ -137,8 +136,8 @@ modules! {
     DOMAIN "sampler/mod" [HASH]
     /// [`Sampler`](crate::Sampler): `bd_sampler_…`; reads [`NET`].
     SAMPLER "sampler/net" (JOINT "sampler" "Sampler") [HASH JOINT_NET ZORDER UNIT]
-    /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`LINEAR_ORDER`] and [`KEYS_TILE`].
-    KEYED "sampler/keyed" (PADDED "keyed" "Keyed") [DOMAIN KEYS LINEAR TORUS UNIT]
+    /// [`Keyed`](crate::Keyed): `bd_keyed_…`; reads [`SEQUENCE`] and [`KEYS_TILE`].
+    KEYED "sampler/keyed" (PADDED "keyed" "Keyed") [DOMAIN KEYS KEYED_SEQUENCE TORUS UNIT]
     /// [`Dithered`](crate::Dithered): `bd_dithered_…`; reads [`SCALAR_MASK`] and [`VECTOR_MASK`].
     DITHERED "sampler/dithered" (PADDED "dithered" "Dithered") [DOMAIN SCALAR VECTOR SHIFT SOBOL TORUS]
     /// [`White`](crate::White): `bd_white_…`.

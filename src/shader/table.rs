@@ -113,11 +113,11 @@ pub const NET: Table = table!(
     "textureLoad(bd_net, vec2<u32>(i, 0u), 0)"
 );
 
-/// The sequence of [`Keyed`](crate::Keyed), [`linear_order_words`](super::linear_order_words): a texture of 16×57.
-pub const LINEAR_ORDER: Table = table!(
-    3 "bd_linear_order" "r32uint", &[], "(i: u32) -> u32",
-    "bd_linear_order[i]",
-    "textureLoad(bd_linear_order, vec2<u32>(i & 15u, i >> 4u), 0).r"
+/// The sequence of [`Keyed`](crate::Keyed), [`sequence_words`](super::sequence_words): a texture of 16×7.
+pub const SEQUENCE: Table = table!(
+    3 "bd_sequence" "r32uint", &[], "(i: u32) -> u32",
+    "bd_sequence[i]",
+    "textureLoad(bd_sequence, vec2<u32>(i & 15u, i >> 4u), 0).r"
 );
 
 /// A mask of one channel, [`scalar_words`](super::scalar_words): a texture of the mask's size.

@@ -1,10 +1,9 @@
 //! The tables as words of 32 bits, the earlier of two halves in the lower 16 bits: the bytes of a little-endian
 //! machine, on any host.
 
-use crate::linear::Columns;
 use crate::net::Order;
 use crate::sobol::Directions;
-use crate::tables::{LINEAR_ORDER, NET};
+use crate::tables::{NET, SEQUENCE};
 use crate::{Keys, ScalarMask, VectorMask};
 
 /// The constants of the joint net, for [`NET`](super::NET): 996 words.
@@ -14,14 +13,12 @@ pub fn net_words() -> impl Iterator<Item = u32> + Clone {
     orders.chain(&NET.frames).flatten().copied()
 }
 
-/// The constants of the linear pixel order, for [`LINEAR_ORDER`](super::LINEAR_ORDER): 912 words.
-pub fn linear_order_words() -> impl Iterator<Item = u32> + Clone {
-    let columns = |sets: &'static [Columns]| sets.as_flattened().iter().copied();
-    let orders = columns(LINEAR_ORDER.known.as_flattened()).chain(columns(&LINEAR_ORDER.progressive));
+/// The sequence of [`Keyed`](crate::Keyed), for [`SEQUENCE`](super::SEQUENCE): 112 words.
+pub fn sequence_words() -> impl Iterator<Item = u32> + Clone {
     // The bits of a reversed index that select one entry each.
     let nibbles = (0..16).map(|sum| sum << 28).chain((0..16).map(|sum| sum << 24));
     let singles = (0..24).map(|bit| 1 << (23 - bit));
-    orders.chain(nibbles.chain(singles).flat_map(|index_rev| low_high(LINEAR_ORDER.sequence.packed_rev(index_rev))))
+    nibbles.chain(singles).flat_map(|index_rev| low_high(SEQUENCE.packed_rev(index_rev)))
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "halves of a word")]

@@ -2,9 +2,9 @@
 //!
 //! Those of single functions stand with their other tests: offsets in `shift.rs`, conversion to floats in `unit.rs`, a
 //! mask's far corner in `mask.rs`, floats that are no numbers in `warp.rs`, a billion points of a sequence in
-//! `lattice.rs`, and the optimisers' and those of constant integrands in `published_energy.rs`, `anneal.rs`,
-//! `void_and_cluster.rs` and `linear_order.rs` of `tests/bake`. That no sampler returns 1.0 follows from `unit.rs` and
-//! is seen in `call_shape.rs`.
+//! `lattice.rs`, and the optimisers' and those of constant integrands in `published_energy.rs`, `anneal.rs` and
+//! `void_and_cluster.rs` of `tests/bake`. That no sampler returns 1.0 follows from `unit.rs` and is seen in
+//! `call_shape.rs`.
 
 use crate::analysis::error::ErrorImage;
 use crate::common::{NO_CORRELATION, SIZE, correlation, for_every_sampler, image};
@@ -96,19 +96,17 @@ fn seeds_frames_and_domains_of_nothing_and_all_ones_are_even_and_unrelated() {
     for (name, images) in images {
         assert_eq!(images.len(), arguments.len(), "{name}");
         for (a, one) in images.iter().enumerate() {
-            if name != "constant" {
-                // 4096 numbers in 64 bins: chi² of 63 degrees of freedom is 63 ± 11; that of a mask is 0.
-                let mut count = [0u32; 64];
-                one.iter().for_each(|v| count[(v * 64.0) as usize] += 1);
-                let chi2: f64 = count.iter().map(|&n| (f64::from(n) - 64.0).powi(2) / 64.0).sum();
-                assert!(chi2 < 130.0, "{name}, {:?}: {chi2}", arguments[a]);
-            }
+            // 4096 numbers in 64 bins: chi² of 63 degrees of freedom is 63 ± 11; that of a mask is 0.
+            let mut count = [0u32; 64];
+            one.iter().for_each(|v| count[(v * 64.0) as usize] += 1);
+            let chi2: f64 = count.iter().map(|&n| (f64::from(n) - 64.0).powi(2) / 64.0).sum();
+            assert!(chi2 < 130.0, "{name}, {:?}: {chi2}", arguments[a]);
             for (b, other) in images[..a].iter().enumerate() {
                 let (a, b) = (arguments[a], arguments[b]);
                 assert_ne!(one, other, "{name}: {a:?} and {b:?}");
                 // Frames of the net complete each other.
                 let complete = name.starts_with("net") && (a[0], a[2]) == (b[0], b[2]);
-                if name != "constant" && !complete {
+                if !complete {
                     // The baked masks are blue noise, whose neighbours are related a little.
                     let bound = if name.starts_with("baked") { 2.0 * NO_CORRELATION } else { NO_CORRELATION };
                     let r = correlation(one, other);

@@ -28,7 +28,6 @@ mod draw_target;
 mod hard_cases;
 mod hash;
 mod lattice;
-mod linear;
 mod mask;
 mod net;
 mod net_twin;
@@ -44,6 +43,7 @@ mod net_twin;
 mod over_time;
 mod pattern;
 mod seeds;
+mod sequence;
 #[cfg(all(feature = "wgsl", feature = "threshold-64", feature = "offset-2d-64"))]
 mod shader;
 mod shift;

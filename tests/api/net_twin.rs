@@ -79,7 +79,7 @@ fn twin(spp: Option<u32>, seed: u32, [x, y, frame]: [u32; 3], domain: u32, index
     // A frame's samples in the pixel's own order; frames in one of 32×32 pixels, above them or by columns of their own.
     let bits = place.log2.unwrap_or(16);
     let per_frame = 1u64 << bits;
-    let frames = u64::from(index) / per_frame ^ if place.log2.is_some() { frame } else { 0 };
+    let frames = (u64::from(index) / per_frame) ^ if place.log2.is_some() { frame } else { 0 };
     let per_sequence = (1 << 16) / per_frame;
     let upper = ordered((frames % per_sequence) as u32, shift) * per_frame as u32;
     let mut number = ordered((u64::from(index) % per_frame) as u32 + upper, own) % per_frame as u32;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use bluedither::shader::{self, Parts, Table};
-use bluedither::tables::{LINEAR_ORDER, NET, OFFSET_2D_64, THRESHOLD_64};
+use bluedither::tables::{NET, OFFSET_2D_64, SEQUENCE, THRESHOLD_64};
 use bluedither::{ScalarMask, VectorMask, torus};
 
 const PARTS: [(&str, Parts); 29] = [
@@ -14,7 +14,7 @@ const PARTS: [(&str, Parts); 29] = [
     ("sobol", shader::SOBOL),
     ("directions", shader::DIRECTIONS),
     ("lattice", shader::LATTICE),
-    ("linear", shader::LINEAR),
+    ("sequence", shader::KEYED_SEQUENCE),
     ("zorder", shader::ZORDER),
     ("net", shader::JOINT_NET),
     ("strata", shader::STRATA),
@@ -40,7 +40,7 @@ const PARTS: [(&str, Parts); 29] = [
 
 const TABLES: [Table; 9] = [
     shader::NET,
-    shader::LINEAR_ORDER,
+    shader::SEQUENCE,
     shader::SCALAR_MASK,
     shader::VECTOR_MASK,
     shader::KEYS_TILE,
@@ -162,17 +162,15 @@ fn words_are_little_endian_bytes() {
 }
 
 #[test]
-fn the_linear_order_is_laid_out_as_its_shader_reads_it() {
-    let words: Vec<u32> = shader::linear_order_words().collect();
-    assert_eq!(words.len(), 912);
-    let sets = LINEAR_ORDER.known.as_flattened().iter().chain(&LINEAR_ORDER.progressive);
-    assert_eq!(&words[..800], sets.copied().collect::<Vec<_>>().as_flattened());
+fn the_sequence_is_laid_out_as_its_shader_reads_it() {
+    let words: Vec<u32> = shader::sequence_words().collect();
+    assert_eq!(words.len(), 112);
     let long = |i: usize| u64::from(words[i + 1]) << 32 | u64::from(words[i]);
     for index_rev in [0, 1, 0x1234_5678, u32::MAX, 0xf000_0000, 0x0080_0000] {
-        let nibbles = [index_rev >> 28, 16 + (index_rev >> 24 & 15)].map(|k| long(800 + 2 * k as usize));
-        let singles = (0..24).filter(|k| index_rev >> (23 - k) & 1 == 1).map(|k| long(864 + 2 * k));
+        let nibbles = [index_rev >> 28, 16 + (index_rev >> 24 & 15)].map(|k| long(2 * k as usize));
+        let singles = (0..24).filter(|k| index_rev >> (23 - k) & 1 == 1).map(|k| long(64 + 2 * k));
         let sum = nibbles.into_iter().chain(singles).fold(0, |sum, word| sum ^ word);
-        assert_eq!(sum, LINEAR_ORDER.sequence.packed_rev(index_rev));
+        assert_eq!(sum, SEQUENCE.packed_rev(index_rev));
     }
 }
 

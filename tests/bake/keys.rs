@@ -3,7 +3,7 @@
 use crate::analysis::net::assert_net;
 use crate::analysis::random::Random;
 use crate::bake::keys::{COLUMNS, Features, LANES, PREFIXES, anneal, keys, points, start, vectors};
-use bluedither::tables::LINEAR_ORDER;
+use bluedither::tables::SEQUENCE;
 use bluedither::{Keyed, Keys, White, unit};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
@@ -20,7 +20,7 @@ fn baked_keys<const S: usize>(seed: u64) -> Keys<S> {
     let problem = Problem::recorded(S.ilog2());
     let mut numbers = start(S.ilog2(), &mut rng);
     anneal(&mut numbers, &problem.features, &problem.kernel, 2, &mut rng);
-    let digits = keys(&LINEAR_ORDER.sequence, &numbers, &mut rng);
+    let digits = keys(&SEQUENCE, &numbers, &mut rng);
     let pairs: Vec<[u16; 2]> = digits.chunks(2).map(|pair| [pair[0], pair[1]]).collect();
     Keys::from_slice(&pairs).expect("as many as pixels")
 }
@@ -67,7 +67,7 @@ fn samples_are_points_of_the_sequence() {
                     points
                 };
                 let drawn = (0..1 << m).map(|i| pixel.draw_fx::<2>(domain, i).map(|v| v >> 16));
-                let point = |i| LINEAR_ORDER.sequence.packed(i);
+                let point = |i| SEQUENCE.packed(i);
                 let expected = (0..1 << m).map(|i| [(point(i) >> 48) as u32, (point(i) >> 16 & 0xffff) as u32]);
                 let expected = expected.map(|p| [p[0] ^ key[0], p[1] ^ key[1]]);
                 assert_eq!(sorted(drawn.collect()), sorted(expected.collect()), "{x}, {y}: the first 2^{m}");
@@ -156,7 +156,7 @@ struct Problem {
 impl Problem {
     fn recorded(size_log2: u32) -> Self {
         let inputs = crate::recorded().1;
-        let points = points(&LINEAR_ORDER.sequence, 1 << (2 * size_log2));
+        let points = points(&SEQUENCE, 1 << (2 * size_log2));
         let block = |(columns, prefix)| vectors(&points, prefix as usize, columns, &inputs.cosine);
         let features = inputs.features_keys.chunks(LANES).zip(PREFIXES).map(block).collect();
         Self { features, kernel: inputs.anneal_kernel }
@@ -257,7 +257,7 @@ fn more_proposals_lower_the_energy() {
 fn features_are_sums_of_cosines() {
     let inputs = crate::recorded().1;
     // A larger tile has further points.
-    let points = points(&LINEAR_ORDER.sequence, 1 << 14);
+    let points = points(&SEQUENCE, 1 << 14);
     for (columns, prefix) in inputs.features_keys.chunks(LANES).zip(PREFIXES) {
         let found = vectors(&points, prefix as usize, columns, &inputs.cosine);
         for (block, vector) in points.chunks(prefix as usize).zip(&found) {

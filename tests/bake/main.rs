@@ -3,16 +3,13 @@
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "tests on the host")]
 #![allow(clippy::print_stdout, reason = "tables are printed on request")]
 
-use bluedither::{effort, hash, lattice, linear, net, sobol, strata, torus}; // what the bake finds at the root of build.rs
+use bluedither::{effort, lattice, net, sequence, sobol, strata, torus}; // what the bake finds at the root of build.rs
 
 #[path = "../analysis/mod.rs"]
 mod analysis;
 #[path = "../../src/bake/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "build.rs uses the rest")]
 mod bake;
-#[path = "../../src/bake/columns/mod.rs"]
-#[allow(dead_code, unreachable_pub, reason = "a part for every test")]
-mod columns;
 #[path = "../../src/bake/energy/mod.rs"]
 mod energy;
 
@@ -21,11 +18,11 @@ mod filtered;
 mod joint_net;
 mod keys;
 mod keys_quality;
-mod linear_order;
 mod mask_quality;
 mod net_file;
 mod published_energy;
 mod rebake;
+mod sequence_file;
 mod sizes;
 mod void_and_cluster;
 

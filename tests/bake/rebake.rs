@@ -3,15 +3,15 @@
 
 use core::cmp::Reverse;
 
-use bluedither::{lattice, linear, sobol};
+use bluedither::{lattice, sequence, sobol};
 
 use crate::bake::anneal::LANES;
 use crate::bake::features::{Column, Pattern};
 use crate::bake::filter::Filter;
 use crate::bake::inputs::{ANNEAL, COSINE, Inputs, VOID_AND_CLUSTER};
-use crate::bake::linear_order::LinearOrder;
 use crate::bake::recipe::{self, Recipe};
 use crate::bake::record::Digests;
+use crate::bake::sequence::Columns;
 use crate::effort::Effort;
 use crate::{recorded, tables};
 use rayon::prelude::*;
@@ -192,8 +192,8 @@ fn derived() -> Inputs {
         features_2d: columns(Pattern::Sobol, 12, [1.0, 0.4, 0.15]),
         features_keys: key_columns([1.0, 0.5, 0.5, 0.5]),
         features_lattice: columns(Pattern::Lattice, 12, [1.0, 0.4, 0.15]),
-        // Not a formula: linear_order.rs checks it.
-        linear_order: LinearOrder::read(&tables()).expect("the linear order"),
+        // Not a formula: sequence_file.rs checks it.
+        sequence: Columns::read(&tables()).expect("the sequence"),
         filter: Filter::default(),
     }
 }
@@ -243,8 +243,8 @@ fn columns(pattern: Pattern, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
 /// are variances of all columns.
 fn key_columns(shares: [f64; 4]) -> Vec<Column> {
     const K_MAX: u32 = 24;
-    let sequence = LinearOrder::read(&tables()).expect("the linear order").sequence;
-    let points = crate::bake::keys::points(&linear::Sequence::new(&sequence), 4096);
+    let columns = Columns::read(&tables()).expect("the sequence");
+    let points = crate::bake::keys::points(&sequence::Sequence::new(&columns.0), 4096);
     let waves = |digits: fn(&u32) -> u32| -> Vec<Vec<f64>> {
         let wave =
             |k: u32, p: &u32| libm::cos(core::f64::consts::PI * f64::from(k) * (f64::from(digits(p)) + 0.5) / 65_536.0);

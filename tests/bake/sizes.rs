@@ -1,7 +1,7 @@
 //! What a table costs: pinned here, stated in Cargo.toml, in the docs and in the README, and all agree.
 
 use bluedither::frames::masks::TimeMask;
-use bluedither::{ScalarMask, VectorMask, linear, sobol};
+use bluedither::{ScalarMask, VectorMask, sobol};
 
 /// Feature and bytes.
 const BYTES: [(&str, usize); 24] = [
@@ -56,7 +56,6 @@ fn directions_cost_what_is_pinned() {
 #[test]
 fn the_net_links_less_than_4_kib() {
     assert_eq!(size_of::<bluedither::net::Tables>(), 3_984);
-    assert_eq!(size_of::<linear::Tables>(), 3_648);
     assert!(size_of::<bluedither::Sampler>() <= 24);
     let texts = [include_str!("../../README.md"), include_str!("../../src/sampler/net.rs")];
     assert!(texts.iter().all(|text| text.contains("3,984 bytes")), "README and docs state the bytes");

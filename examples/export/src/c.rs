@@ -18,7 +18,7 @@ pub fn header(tables: &[Table]) -> String {
         .replace("@licence@", &licence)
         .replace("@version@", version())
         .replace("@effort@", EFFORT.name())
-        .replace("@linear@\n", &linear_points())
+        .replace("@sequence@\n", &sequence())
         .replace("@net@\n", &net())
         .replace("@tables@\n", &tables)
 }
@@ -80,19 +80,19 @@ fn net() -> String {
 }
 
 /// The points of the sequence.
-fn linear_points() -> String {
-    let words: Vec<u32> = shader::linear_order_words().skip(10 * 8 * 10).collect();
+fn sequence() -> String {
+    let words: Vec<u32> = shader::sequence_words().collect();
     // The first number is the upper half of a word of 64 bits, which comes second.
     let points: Vec<u32> = words.as_chunks::<2>().0.iter().flat_map(|&[low, high]| [high, low]).collect();
     let (nibbles, columns) = points.split_at(2 * 16 * 2);
     let mut text = String::from(
         "/* Points of the lower two nibbles of a sample's number, each reversed. */\n\
-         static const uint32_t bd_linear_nibbles[2][16][2] = {\n",
+         static const uint32_t bd_sequence_nibbles[2][16][2] = {\n",
     );
     for nibble in nibbles.chunks(16 * 2) {
         text += &format!("    {{\n{}    }},\n", rows(nibble, 2));
     }
-    text += "};\n/* What its other bits add. */\nstatic const uint32_t bd_linear_columns[24][2] = {\n";
+    text += "};\n/* What its other bits add. */\nstatic const uint32_t bd_sequence_columns[24][2] = {\n";
     text += &rows(columns, 2);
     text + "};\n"
 }

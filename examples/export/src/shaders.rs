@@ -31,12 +31,8 @@ pub struct Bound {
 
 const NET: Bound = Bound { table: shader::NET, side: 0, file: "net.bin", words: || shader::net_words().collect() };
 #[cfg(feature = "keys-64")]
-const LINEAR_ORDER: Bound = Bound {
-    table: shader::LINEAR_ORDER,
-    side: 0,
-    file: "linear-order.bin",
-    words: || shader::linear_order_words().collect(),
-};
+const SEQUENCE: Bound =
+    Bound { table: shader::SEQUENCE, side: 0, file: "sequence.bin", words: || shader::sequence_words().collect() };
 /// A tile of 64 pixels a side: the feature that bakes it, what reads it, its file and its words.
 macro_rules! tile {
     ($name:ident, $feature:literal, $reads:ident, $file:literal, $words:ident($table:ident)) => {
@@ -57,7 +53,7 @@ tile!(KEYS, "keys-64", KEYS_TILE, "keys-64-words.bin", keys_words(KEYS_64));
 pub const USES: &[Use] = &[
     Use { name: "sampler", title: "Sampler", parts: shader::SAMPLER, tables: &[NET], draw: None },
     #[cfg(feature = "keys-64")]
-    Use { name: "keyed", title: "Keyed", parts: shader::KEYED, tables: &[LINEAR_ORDER, KEYS], draw: None },
+    Use { name: "keyed", title: "Keyed", parts: shader::KEYED, tables: &[SEQUENCE, KEYS], draw: None },
     #[cfg(all(feature = "threshold-64", feature = "offset-2d-64"))]
     Use { name: "dithered", title: "Dithered", parts: shader::DITHERED, tables: &[THRESHOLD, OFFSET], draw: None },
     Use { name: "white", title: "White", parts: shader::WHITE, tables: &[], draw: None },

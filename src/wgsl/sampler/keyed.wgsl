@@ -35,10 +35,10 @@ fn bd_keyed_pair(pixel: bd_KeyedPixel, domain: u32, pad: u32, index: u32) -> vec
     let product = ((key.x | (key.y >> 16u)) ^ seed) * 0x9e3779b1u;
     let order = product ^ (product >> 15u);
     let index_rev = bd_hash_shuffle_rev(reverseBits(index), order);
-    var point = bd_linear_first_rev(index_rev);
+    var point = bd_sequence_first_rev(index_rev);
     // The same for all pixels, whose orders take as many samples first.
     if index > 255u {
-        point ^= bd_linear_later_rev(index_rev);
+        point ^= bd_sequence_later_rev(index_rev);
     }
     return point.yx ^ key ^ vec2<u32>(order >> 16u, order & 0xffffu);
 }

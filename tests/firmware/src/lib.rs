@@ -18,7 +18,7 @@ pub type Family = (&'static str, fn() -> u32);
 /// Integers only: `run.sh` looks for floating point in what [`integers`] links on a machine without it.
 pub const INTEGERS: &[Family] = &[
     ("hash, unit, torus", parts::integers),
-    ("sobol, zorder, lattice, linear, net", parts::sequences),
+    ("sobol, zorder, lattice, sequence, net", parts::sequences),
     ("strata, shift", parts::offsets),
     ("masks", parts::masks),
     ("sampler", samplers::sampler),

@@ -1,8 +1,8 @@
 //! What samplers are made of.
 
 use crate::fold;
-use bluedither::tables::{KEYS_64, LATTICE_64, NET, OFFSET_2D_64, SOBOL_16, THRESHOLD_32, THRESHOLD_64};
-use bluedither::{Keys, ScalarMask, VectorMask, hash, lattice, linear, net, shift, sobol, strata, torus, unit, zorder};
+use bluedither::tables::{KEYS_64, LATTICE_64, NET, OFFSET_2D_64, SEQUENCE, SOBOL_16, THRESHOLD_32, THRESHOLD_64};
+use bluedither::{Keys, ScalarMask, VectorMask, hash, lattice, net, shift, sobol, strata, torus, unit, zorder};
 
 pub(crate) fn integers() -> u32 {
     fold((0..99).flat_map(|k| {
@@ -26,7 +26,7 @@ pub(crate) fn sequences() -> u32 {
             .chain([lattice::extensible(k, v), lattice::fixed(k, 99, v), lattice::FIBONACCI[k as usize % 46]])
             .chain(lattice::r::<4>(v))
             .chain(net::add(NET.frames[k as usize % 15], net::add_columns([v; 4], &NET.progressive.place, k)))
-            .chain([long as u32, (long >> 32) as u32, linear::digits(&[v; 10], k, v), sobol::directions(k, &[v, 1])[9]])
+            .chain([long as u32, (long >> 32) as u32, SEQUENCE.packed(v) as u32, sobol::directions(k, &[v, 1])[9]])
     }))
 }
 

@@ -11,9 +11,9 @@ pub fn net() -> Bound {
     Bound { table: shader::NET, size: String::new(), words: shader::net_words().collect(), extent: [249, 1] }
 }
 
-pub fn linear_order() -> Bound {
-    let words = shader::linear_order_words().collect();
-    Bound { table: shader::LINEAR_ORDER, size: String::new(), words, extent: [16, 57] }
+pub fn sequence() -> Bound {
+    let words = shader::sequence_words().collect();
+    Bound { table: shader::SEQUENCE, size: String::new(), words, extent: [16, 7] }
 }
 
 pub fn scalar<const S: usize>(mask: &ScalarMask<S>) -> Bound {

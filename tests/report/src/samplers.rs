@@ -72,8 +72,7 @@ macro_rules! samplers {
 const MASKS: usize = size_of_val(&tables::THRESHOLD_64) + OFFSETS;
 const OFFSETS: usize = size_of_val(&tables::OFFSET_2D_64);
 /// A table of keys, the constants of the points, and 256 points made of them.
-const KEYS: usize = size_of_val(&tables::KEYS_64) + LINEAR + 256 * 8;
-const LINEAR: usize = size_of_val(&tables::LINEAR_ORDER);
+const KEYS: usize = size_of_val(&tables::KEYS_64) + size_of_val(&tables::SEQUENCE) + 256 * 8;
 const NET: usize = size_of_val(&tables::NET);
 /// A release of 2019 as bytes: 256 × 256 numbers, and two tiles of 128 × 128 × 8. The package holds four times as much.
 const RELEASE: usize = 256 * 256 + 2 * 128 * 128 * 8;

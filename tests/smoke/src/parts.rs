@@ -1,10 +1,10 @@
 //! What samplers are made of.
 
-use bluedither::linear::{Sequence, Tables};
+use bluedither::sequence::Sequence;
 use bluedither::sobol::Directions;
 use bluedither::tables::{EFFORT, OFFSET_2D_64, SOBOL_16, THRESHOLD_64};
 use bluedither::{
-    Keys, ScalarMask, VectorMask, hash, lattice, linear, net, shift, sobol, strata, torus, unit, warp, zorder,
+    Keys, ScalarMask, VectorMask, hash, lattice, net, shift, sobol, strata, torus, unit, warp, zorder,
 };
 
 /// Look-ups and bytes.
@@ -47,14 +47,13 @@ pub extern "C" fn integers(a: u32, b: u32, c: u32) -> u32 {
 
 /// Sequences, one of the caller's own among them.
 #[unsafe(no_mangle)]
-pub extern "C" fn sequences(tables: &Tables, columns: &[[u32; 2]; 32], n: usize, a: u32, b: u32) -> u32 {
+pub extern "C" fn sequences(columns: &[[u32; 2]; 32], n: usize, a: u32, b: u32) -> u32 {
     let mut sum = sobol::dimension(a, b) ^ sobol::dimension_0(a) ^ sobol::dimension_1(a) ^ sobol::dimension_1_rev(b);
     sum ^= sobol::point(a)[1] ^ sobol::owen_point(a, b)[1] ^ SOBOL_16.dimension(a, b) ^ SOBOL_16.owen(a, b, a);
     let numbers = columns.as_flattened().get(..n).unwrap_or_default();
     sum ^= Directions::<3>::new([sobol::directions(a, numbers); 3]).owen(a, b, a);
     let own = Sequence::new(columns);
-    sum ^= own.packed(a) as u32 ^ own.packed_rev(b) as u32 ^ linear::digits(&[a; 10], a, b);
-    sum ^ tables.known(b).map_or(0, |order| order[0][0])
+    sum ^ own.packed(a) as u32 ^ own.packed_rev(b) as u32
 }
 
 /// Columns of the joint net, of a caller's own tables.

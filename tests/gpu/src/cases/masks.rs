@@ -2,9 +2,10 @@
 
 use bluedither::shader::*;
 use bluedither::tables::{
-    KEYS_64, OFFSET_1D_16, OFFSET_2D_64, SEED_PERMUTATION, THRESHOLD_64, THRESHOLD_256, THRESHOLD_OVER_TIME_32,
+    KEYS_64, OFFSET_1D_16, OFFSET_2D_64, SEED_PERMUTATION, SEQUENCE, THRESHOLD_64, THRESHOLD_256,
+    THRESHOLD_OVER_TIME_32,
 };
-use bluedither::{ScalarMask, frames, linear, tables};
+use bluedither::{ScalarMask, frames};
 
 use super::low_high;
 use crate::bind;
@@ -12,7 +13,7 @@ use crate::case::{Case, case};
 
 pub fn cases() -> Vec<Case> {
     let scalars = [scalars(&THRESHOLD_64), scalars(&OFFSET_1D_16), scalars(&THRESHOLD_256)].into_iter().flatten();
-    scalars.chain(vectors()).chain(linears()).chain(keys()).chain(over_time()).chain(seeds()).collect()
+    scalars.chain(vectors()).chain(sequence()).chain(keys()).chain(over_time()).chain(seeds()).collect()
 }
 
 fn scalars<const S: usize>(mask: &'static ScalarMask<S>) -> Vec<Case> {
@@ -32,17 +33,11 @@ fn vectors() -> Vec<Case> {
     ]
 }
 
-fn linears() -> Vec<Case> {
-    let tables = &tables::LINEAR_ORDER;
-    let bound = bind::linear_order;
+fn sequence() -> Vec<Case> {
     vec![
-        case(LINEAR, "bd_linear_packed_rev(a)", |[a]| low_high(tables.sequence.packed_rev(a))).with(bound()),
-        case(LINEAR, "bd_linear_packed(a)", |[a]| low_high(tables.sequence.packed(a))).with(bound()),
-        case(LINEAR, "bd_linear_digits(10u * (a % 80u), b, c)", |[a, b, c]| {
-            let sets = tables.known.as_flattened().iter().chain(&tables.progressive);
-            [linear::digits(sets.clone().nth(a as usize % 80).expect("there are 80"), b, c)]
-        })
-        .with(bound()),
+        case(KEYED_SEQUENCE, "bd_sequence_packed_rev(a)", |[a]| low_high(SEQUENCE.packed_rev(a)))
+            .with(bind::sequence()),
+        case(KEYED_SEQUENCE, "bd_sequence_packed(a)", |[a]| low_high(SEQUENCE.packed(a))).with(bind::sequence()),
     ]
 }
 

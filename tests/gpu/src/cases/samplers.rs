@@ -50,7 +50,7 @@ macro_rules! sampler {
 
 pub fn cases() -> Vec<Case> {
     let net = || vec![bind::net()];
-    let keyed = || vec![bind::linear_order(), bind::keys(&KEYS_64)];
+    let keyed = || vec![bind::sequence(), bind::keys(&KEYS_64)];
     let lattice = || vec![bind::scalar(&THRESHOLD_64), bind::vector(&LATTICE_64)];
     let masks = || vec![bind::scalar(&THRESHOLD_64), bind::vector(&OFFSET_2D_64)];
     std::iter::empty()
@@ -81,7 +81,7 @@ fn others() -> Vec<Case> {
         case(KEYED, "bd_keyed_draw1_fx(bd_keyed_pixel(bd_keyed_new(a), b, c, d), e, f)", |[a, b, c, d, e, f]| {
             Keyed::new(a).pixel(b, c, d).draw_fx::<1>(e, f)
         })
-        .with_read(bind::linear_order())
+        .with_read(bind::sequence())
         .with_read(bind::keys(&KEYS_64)),
     ]
 }

@@ -6,7 +6,7 @@ use crate::translate::parse;
 
 const TABLES: [Table; 9] = [
     shader::NET,
-    shader::LINEAR_ORDER,
+    shader::SEQUENCE,
     shader::SCALAR_MASK,
     shader::VECTOR_MASK,
     shader::KEYS_TILE,
