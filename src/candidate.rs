@@ -35,7 +35,8 @@ const KEPT: usize = 10;
 const NEAR: [(isize, u32); 4] = [(-1, 0), (-1, 1), (0, 1), (1, 1)];
 const FAR: [(isize, u32); 8] = [(-2, 0), (-2, 1), (2, 1), (-2, 2), (-1, 2), (0, 2), (1, 2), (2, 2)];
 
-/// Fills row `y` of a picture with one sample of D numbers a pixel, 0.32 fixed point; D = 1..=4, more is a compile error.
+/// Fills row `y` of a picture with one sample of D numbers a pixel, 0.32 fixed point; D = 1..=4, more is a compile
+/// error.
 ///
 /// `above` are rows `y` − 2 and `y` − 1. Rows 0 and 1 have fewer neighbours: what `above` holds then is not
 /// read. Where a row above is shorter, neighbours are missing as at the picture's edge.

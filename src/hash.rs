@@ -62,22 +62,22 @@ pub const fn owen(value_fx: u32, seed: u32) -> u32 {
     laine_karras(value_fx.reverse_bits(), seed).reverse_bits()
 }
 
-/// Another seed from a seed: the upper half of a product, in which every bit has a say. Cheaper than [`mix`], and enough
-/// for a hash that goes on.
+/// Another seed from a seed: the upper half of a product, in which every bit has a say. Cheaper than [`mix`], and
+/// enough for a hash that goes on.
 #[inline]
 #[must_use]
 pub const fn other(seed: u32) -> u32 {
     ((seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as u32
 }
 
-/// Base-4 form of [`laine_karras`]: pairs of bits are digits, and every digit goes through a permutation of {0, 1, 2, 3}
-/// that a hash of the digits *below* it has chosen.
+/// Base-4 form of [`laine_karras`]: pairs of bits are digits, and every digit goes through a permutation of {0, 1, 2,
+/// 3} that a hash of the digits *below* it has chosen.
 ///
 /// All 24 permutations occur: each of the three ways to halve the four values, with chances of 3/8, 3/8 and 2/8, times
-/// the eight permutations that keep a half together, with equal chances. Binary scrambling has one way only; the
-/// hash of Blender's Cycles, which adds two conditional flips to it, two, and one in the first digit (counted). Below two
-/// values of a digit the choices are not quite independent: they agree less often than chance would have it. Hash `seed`
-/// first.
+/// the eight permutations that keep a half together, with equal chances. Binary scrambling has one way only; the hash
+/// of Blender's Cycles, which adds two conditional flips to it, two, and one in the first digit (counted). Below two
+/// values of a digit the choices are not quite independent: they agree less often than chance would have it. Hash
+/// `seed` first.
 #[inline]
 #[must_use]
 pub const fn laine_karras_4(value_rev: u32, seed: u32) -> u32 {
@@ -106,11 +106,11 @@ pub const fn owen_4(value_fx: u32, seed: u32) -> u32 {
     laine_karras_4(value_fx.reverse_bits(), seed).reverse_bits()
 }
 
-/// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set, and 0 and 1 stay in place; of an index that is
-/// bit-reversed already, and so is the result.
+/// Shuffles sample numbers so that every set {0, …, 2ᵏ−1} stays the same set, and 0 and 1 stay in place; of an index
+/// that is bit-reversed already, and so is the result.
 ///
-/// Two pairs of dimensions that read one sequence in two such orders are decorrelated, and each still sees the first
-/// 2ᵏ points after 2ᵏ samples. Products and sums pass on nothing to lower bits, and zeros below stay zeros, so that below
+/// Two pairs of dimensions that read one sequence in two such orders are decorrelated, and each still sees the first 2ᵏ
+/// points after 2ᵏ samples. Products and sums pass on nothing to lower bits, and zeros below stay zeros, so that below
 /// its top set bit an index is Owen-scrambled (compare Burley 2020). Three multiplications take a hash of `seed` apart.
 /// Hash `seed` first.
 #[inline]

@@ -1,5 +1,5 @@
-//! Scrambling and ranking keys: a tile that tells every pixel how to scramble one sequence for all and where to start it
-//! (Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019).
+//! Scrambling and ranking keys: a tile that tells every pixel how to scramble one sequence for all and where to start
+//! it (Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019).
 //!
 //! A pixel's sample i is point i ⊕ rank of the sequence, ⊕ its key. XOR with a key maps every elementary interval onto
 //! one of the same size, so that each pixel keeps a net at every power of two. Here point i ⊕ r of the

@@ -2,7 +2,8 @@
 //! high-frequency, evenly spread, the least visible to the eye and the easiest to denoise.
 //!
 //! No `std`, no allocation, no `unsafe`, no state: every number is a pure function of (tables, pixel, frame, domain,
-//! index), the same on every machine and thread. `build.rs` optimises the masks; the constants of [`Sampler`] come frozen.
+//! index), the same on every machine and thread. `build.rs` optimises the masks; the constants of [`Sampler`] come
+//! frozen.
 //!
 //! # Limits
 //! - It pays off where the picture is smooth over a few pixels; at edges and in fine texture the error is white.

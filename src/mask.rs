@@ -30,8 +30,8 @@ impl<const S: usize> ScalarMask<S> {
         Self { ranks }
     }
 
-    /// A mask of your own, row by row: none if there are not S² ranks or one is S² or more. That each occurs once is not
-    /// checked; the exact mean of ½ depends on it. The mask is made on the stack: 2·S² bytes.
+    /// A mask of your own, row by row: none if there are not S² ranks or one is S² or more. That each occurs once is
+    /// not checked; the exact mean of ½ depends on it. The mask is made on the stack: 2·S² bytes.
     #[must_use]
     pub fn from_slice(ranks: &[u16]) -> Option<Self> {
         if ranks.len() != S * S || ranks.iter().any(|&rank| usize::from(rank) >= S * S) {
@@ -97,8 +97,8 @@ impl<const D: usize, const S: usize> VectorMask<D, S> {
         Self { ranks }
     }
 
-    /// A mask of your own, row by row: none if there are not S² vectors or a rank is S² or more. That each occurs once in
-    /// each channel is not checked. The mask is made on the stack: 2·D·S² bytes.
+    /// A mask of your own, row by row: none if there are not S² vectors or a rank is S² or more. That each occurs once
+    /// in each channel is not checked. The mask is made on the stack: 2·D·S² bytes.
     #[must_use]
     pub fn from_slice(ranks: &[[u16; D]]) -> Option<Self> {
         if ranks.len() != S * S || ranks.as_flattened().iter().any(|&rank| usize::from(rank) >= S * S) {

@@ -1,12 +1,13 @@
-//! The joint net: eight numbers of one digital net for the whole picture, linear in the sample's number and in the place of the
-//! pixel.
+//! The joint net: eight numbers of one digital net for the whole picture, linear in the sample's number and in the
+//! place of the pixel.
 //!
-//! As in the Z order (Ahmed and Wonka 2020) all pixels share one sequence along a Z curve whose squares are shuffled, so
-//! that neighbours complete each other. A point's binary digits are sums modulo 2 of *columns*: one for every bit that is
-//! set in the sample's number, one for every bit of the pixel's place inside a block of 4×4, and one for every bit of the
-//! block's place on the curve up to 32×32 pixels; there is a random digital shift above. All eight numbers have their
-//! columns in common, so that the error of an integrand of several of them is blue, too. The lowest two levels of the
-//! curve are shuffled in eight ways only, which puts the strongest Walsh functions on those of a block that a filter takes away.
+//! As in the Z order (Ahmed and Wonka 2020) all pixels share one sequence along a Z curve whose squares are shuffled,
+//! so that neighbours complete each other. A point's binary digits are sums modulo 2 of *columns*: one for every bit
+//! that is set in the sample's number, one for every bit of the pixel's place inside a block of 4×4, and one for every
+//! bit of the block's place on the curve up to 32×32 pixels; there is a random digital shift above. All eight numbers
+//! have their columns in common, so that the error of an integrand of several of them is blue, too. The lowest two
+//! levels of the curve are shuffled in eight ways only, which puts the strongest Walsh functions on those of a block
+//! that a filter takes away.
 //!
 //! Columns are found by annealing the predicted error after a filter: see `tests/search`. Components 2k and 2k+1 are
 //! an own pair, of which every aligned run of 2ᵐ samples is a (0, m, 2)-net in every pixel.
@@ -20,8 +21,8 @@ pub const DIGITS: u32 = 16;
 pub const INSIDE: usize = 4;
 /// Bits of a block's place on the curve that have a column: squares of 8×8, 16×16 and 32×32 pixels.
 pub const PLACE: usize = 6;
-/// Bits of a frame that have a column of their own where the number of samples is not known: five digits in base 8, of which
-/// every number of frames is a net (see `tests/search`).
+/// Bits of a frame that have a column of their own where the number of samples is not known: five digits in base 8, of
+/// which every number of frames is a net (see `tests/search`).
 pub const FRAMES: usize = 15;
 
 /// All columns for a number of samples. 416 bytes.
@@ -75,8 +76,8 @@ pub const fn add(a: Digits, b: Digits) -> Digits {
     [a[0] ^ b[0], a[1] ^ b[1], a[2] ^ b[2], a[3] ^ b[3]]
 }
 
-/// `sum` and the columns of all bits that are set in `bits`, of which only as many count as there are columns. Six operations a
-/// column, or two where a processor has vectors of four.
+/// `sum` and the columns of all bits that are set in `bits`, of which only as many count as there are columns. Six
+/// operations a column, or two where a processor has vectors of four.
 #[inline(always)]
 #[must_use]
 pub const fn add_columns<const N: usize>(sum: Digits, columns: &[Digits; N], bits: u32) -> Digits {

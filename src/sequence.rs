@@ -1,12 +1,12 @@
 //! A (0, 2)-sequence in base 2: the points of [`Keyed`](crate::Keyed).
 //!
-//! Every aligned run of 2ᵐ points is a (0, m, 2)-net: each of the 2ᵐ equal rectangles of any one shape has one point of it.
-//! The binary digits of a point are sums modulo 2 of *columns*, one for every bit that is set in the index. So point
-//! i ⊕ k is point i ⊕ point k, and scrambling by XOR with a point is a change of the order.
+//! Every aligned run of 2ᵐ points is a (0, m, 2)-net: each of the 2ᵐ equal rectangles of any one shape has one point of
+//! it. The binary digits of a point are sums modulo 2 of *columns*, one for every bit that is set in the index. So
+//! point i ⊕ k is point i ⊕ point k, and scrambling by XOR with a point is a change of the order.
 //!
-//! [`SEQUENCE`](crate::tables::SEQUENCE) is Sobol's with matrix-scrambled digits (Matoušek 1998), chosen so that few Walsh
-//! functions of smooth integrands are left over, which is the idea of higher-order nets (Dick 2008): from 8 samples on the
-//! error is below that of Owen-scrambled points. It is frozen in `tables/sequence.txt`.
+//! [`SEQUENCE`](crate::tables::SEQUENCE) is Sobol's with matrix-scrambled digits (Matoušek 1998), chosen so that few
+//! Walsh functions of smooth integrands are left over, which is the idea of higher-order nets (Dick 2008): from 8
+//! samples on the error is below that of Owen-scrambled points. It is frozen in `tables/sequence.txt`.
 
 /// A (0, 2)-sequence in base 2 by its columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,8 +41,8 @@ impl Sequence {
         sequence
     }
 
-    /// Point `index`, 0.32 fixed point, both numbers in one word, the first in the upper half. Two look-ups, and one for
-    /// every further bit that is set.
+    /// Point `index`, 0.32 fixed point, both numbers in one word, the first in the upper half. Two look-ups, and one
+    /// for every further bit that is set.
     #[inline]
     #[must_use]
     pub const fn packed(&self, index: u32) -> u64 {

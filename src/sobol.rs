@@ -32,7 +32,8 @@ pub(crate) const fn second(first: u32) -> u32 {
     n ^ (n << 16)
 }
 
-/// [`dimension_1`], bit-reversed, by the same butterflies the other way round: what [`laine_karras`](crate::hash::laine_karras) scrambles.
+/// [`dimension_1`], bit-reversed, by the same butterflies the other way round: what
+/// [`laine_karras`](crate::hash::laine_karras) scrambles.
 #[inline]
 #[must_use]
 pub const fn dimension_1_rev(index: u32) -> u32 {
@@ -73,8 +74,8 @@ pub const fn owen_point(index: u32, seed: u32) -> [u32; 2] {
     ]
 }
 
-/// Direction numbers of dimensions of the Sobol sequence: 128 bytes each. Those of the features `sobol-16` to `sobol-1024`
-/// stand in [`tables`](crate::tables); [`directions`] makes others.
+/// Direction numbers of dimensions of the Sobol sequence: 128 bytes each. Those of the features `sobol-16` to
+/// `sobol-1024` stand in [`tables`](crate::tables); [`directions`] makes others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Directions<const D: usize> {
     numbers: [[u32; 32]; D],

@@ -5,8 +5,8 @@
 //! 1/count exactly, and a square count gives the regular grid. All values are 0.32 fixed point, rounded down; a
 //! `count` of 0 counts as 1 and a cell is taken modulo `count`.
 
-/// The point at `inside` ∈ [0, 1) of cell `cell`: ⌊(cell + inside)·2³²/count⌋, exactly. A shift for powers of two, else a
-/// 64-bit division.
+/// The point at `inside` ∈ [0, 1) of cell `cell`: ⌊(cell + inside)·2³²/count⌋, exactly. A shift for powers of two, else
+/// a 64-bit division.
 #[inline]
 #[must_use]
 pub const fn place_1d(cell: u32, count: u32, inside: u32) -> u32 {

@@ -10,12 +10,12 @@ pub const fn wrap(coordinate: u32, size: u32) -> u32 {
 
 /// How far from the pixel itself a tile of 2^`size_log2` squared pixels is read: pixels in x and y.
 ///
-/// Different domains, pairs and frames read the same tile at different places. Moving the *place* keeps a tile's spectrum
-/// exactly; adding a constant to its *values* does not (half of the blueness is gone). Successive domains step along
-/// the R2 sequence (M. Roberts 2018), and 100 of them, as 100 frames, stay 4 pixels or more of a 64² tile apart; so do
-/// all of 16 domains in 4 frames, 8 in 8 and 4 in 16, and, 2 pixels or more, the four pairs (`pad` = 0..3) of each of
-/// these and of 32 domains in one frame. Number domains 0, 1, 2, …: two large unrelated numbers may meet, with a chance of
-/// one in the tile's pixels. `size_log2` above 32 counts as 32.
+/// Different domains, pairs and frames read the same tile at different places. Moving the *place* keeps a tile's
+/// spectrum exactly; adding a constant to its *values* does not (half of the blueness is gone). Successive domains step
+/// along the R2 sequence (M. Roberts 2018), and 100 of them, as 100 frames, stay 4 pixels or more of a 64² tile apart;
+/// so do all of 16 domains in 4 frames, 8 in 8 and 4 in 16, and, 2 pixels or more, the four pairs (`pad` = 0..3) of
+/// each of these and of 32 domains in one frame. Number domains 0, 1, 2, …: two large unrelated numbers may meet, with
+/// a chance of one in the tile's pixels. `size_log2` above 32 counts as 32.
 #[inline(always)]
 #[must_use]
 pub const fn offset(seed: u32, domain: u32, pad: u32, frame: u32, size_log2: u32) -> [u32; 2] {

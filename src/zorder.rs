@@ -1,4 +1,5 @@
-//! The Z curve, which visits the pixels of every square of 2ᵏ×2ᵏ in a row. [`hash::owen_4`](crate::hash::owen_4) shuffles it.
+//! The Z curve, which visits the pixels of every square of 2ᵏ×2ᵏ in a row. [`hash::owen_4`](crate::hash::owen_4)
+//! shuffles it.
 
 /// The Z curve (Morton 1966): bit k of `x` is bit 2k of the code, bit k of `y` bit 2k+1.
 #[inline]

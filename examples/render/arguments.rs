@@ -35,7 +35,8 @@ pub struct Arguments {
     #[arg(long, default_value_t = 0)]
     pub frame: u32,
 
-    /// Animate a room of paths of ten bounces instead, so many frames, with white noise and with seeds that change places
+    /// Animate a room of paths of ten bounces instead, so many frames, with white noise and with seeds that change
+    /// places
     #[cfg(feature = "seed-permutation")]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=256))]
     pub frames: Option<u32>,

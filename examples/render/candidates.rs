@@ -1,7 +1,7 @@
 //! Mitchell's best candidate in the call shape of the samplers: pictures of samples, made before they are asked for.
 //!
-//! The 100 candidates of a pixel cost a thousand times what a sampler does, and every sample is a picture of its own: what
-//! several of a pixel do together is white.
+//! The 100 candidates of a pixel cost a thousand times what a sampler does, and every sample is a picture of its own:
+//! what several of a pixel do together is white.
 
 use bluedither::{candidate, hash, unit};
 use rayon::prelude::*;

@@ -1,11 +1,12 @@
-//! Frame after frame: a room of paths of ten bounces, with new white noise in every frame and with seeds that change places.
+//! Frame after frame: a room of paths of ten bounces, with new white noise in every frame and with seeds that change
+//! places.
 //!
 //! ```text
 //! cargo run --release --features seed-permutation --example render -- --frames 16
 //! ```
 //!
-//! With a still camera, and with one that pans. Seeds are not carried along with the picture; in this room, which is smooth,
-//! two pixels a frame take nothing of the gain.
+//! With a still camera, and with one that pans. Seeds are not carried along with the picture; in this room, which is
+//! smooth, two pixels a frame take nothing of the gain.
 
 use crate::arguments::Arguments;
 use crate::film::Image;

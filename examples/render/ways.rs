@@ -1,6 +1,6 @@
-//! Ways through time: a gradient in black and white, frame after frame, by white noise and by a mask that is moved in place,
-//! moved in value, or made over time. Below each way the moving average that a display's viewer, or a temporal filter,
-//! makes of its frames.
+//! Ways through time: a gradient in black and white, frame after frame, by white noise and by a mask that is moved in
+//! place, moved in value, or made over time. Below each way the moving average that a display's viewer, or a temporal
+//! filter, makes of its frames.
 //!
 //! ```text
 //! cargo run --release --features seed-permutation,threshold-over-time-64 --example render -- --frames 16

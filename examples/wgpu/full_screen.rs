@@ -4,9 +4,9 @@
 //! cargo run -p gpu --example full_screen -- target/full_screen.png
 //! ```
 //!
-//! A lamp above a floor, and a ball that keeps its light off: one sample of the lamp a pixel, as white noise on the left
-//! half and by `Sampler` on the right. In a material of bevy the table stands in another group: replace
-//! `@group(0) @binding(0)` in the text by the one you bind.
+//! A lamp above a floor, and a ball that keeps its light off: one sample of the lamp a pixel, as white noise on the
+//! left half and by `Sampler` on the right. In a material of bevy the table stands in another group: replace `@group(0)
+//! @binding(0)` in the text by the one you bind.
 #![allow(clippy::cast_possible_truncation, reason = "sizes of a small picture")]
 
 use bluedither::shader;

@@ -1,9 +1,9 @@
 //! The feature-field annealer: swaps the items of a tile until the error of rendered pixels is blue noise.
 //!
-//! Every item (a mask value) has a vector f of errors that a pixel would make with it, see [`features`](super::features).
-//! The energy Σ_{p≠q} w(p−q)⟨f_p, f_q⟩ with w = exp(−r²/2.2²) is, up to a constant, the power of the error image
-//! after a Gaussian of standard deviation 2.2/2 pixels. (Georgiev and Fajardo 2016 swap pixels too, but by a kernel
-//! of the distance of their values, which is a poor proxy of that power.)
+//! Every item (a mask value) has a vector f of errors that a pixel would make with it, see
+//! [`features`](super::features). The energy Σ_{p≠q} w(p−q)⟨f_p, f_q⟩ with w = exp(−r²/2.2²) is, up to a constant, the
+//! power of the error image after a Gaussian of standard deviation 2.2/2 pixels. (Georgiev and Fajardo 2016 swap pixels
+//! too, but by a kernel of the distance of their values, which is a poor proxy of that power.)
 //!
 //! ```text
 //! field F = w ∗ f, with w(0) = 0
@@ -14,8 +14,8 @@
 //! ```
 //! A far value is a step too large late in the day: the falling reach saves two thirds of the proposals. Threshold
 //! accepting (Dueck and Scheuer 1990) ends where Metropolis does and needs no logarithm. All numbers are integers: the
-//! same tile on every machine. For two threads the rows are moved round and cut into two halves, each of which swaps only
-//! pixels whose window lies inside.
+//! same tile on every machine. For two threads the rows are moved round and cut into two halves, each of which swaps
+//! only pixels whose window lies inside.
 //!
 //! Over time there is a tile for every frame, a row of each by turns, and w has a part between the same pixels of near
 //! frames: w_t(s)⟨f_p, f_q⟩ for frames s apart (Wolfe and others 2022). Pixels swap within their frame.
@@ -28,8 +28,8 @@ pub const LANES: usize = 48;
 /// A feature vector. Magnitudes up to 63 and neighbours' weights of up to 2818 in all (they are 1808, over time 2050)
 /// keep every sum below within an `i32`.
 pub type Features = [[i32; 8]; LANES / 8];
-/// A vector of the field: two lanes a word, lane 2i + 2³²·lane 2i+1 modulo 2⁶⁴. Sums of such words are the sums of their
-/// lanes, and halve the work of adding.
+/// A vector of the field: two lanes a word, lane 2i + 2³²·lane 2i+1 modulo 2⁶⁴. Sums of such words are the sums of
+/// their lanes, and halve the work of adding.
 type Packed = Words<{ LANES / 8 }>;
 /// Such a vector of any length.
 pub(super) type Words<const ROWS: usize> = [[u64; 4]; ROWS];

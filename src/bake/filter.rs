@@ -90,8 +90,8 @@ impl Filter {
 
     /// The kernels of masks for 2^`frames_log2` frames, by distance in time.
     ///
-    /// By the product alone a single frame would have a third more error, and without the space filter the moving average
-    /// would be white; so what a still mask and a pixel's own sequence need is added.
+    /// By the product alone a single frame would have a third more error, and without the space filter the moving
+    /// average would be white; so what a still mask and a pixel's own sequence need is added.
     pub fn over_time(self, frames_log2: u32) -> Vec<Window> {
         let (frames, radius) = (1usize << frames_log2, self.space.radius());
         let time: Vec<f64> = (0..=frames / 2).map(|t| self.repeated(t, frames)).collect();
@@ -112,7 +112,8 @@ impl Filter {
         (0..=frames / 2).map(window).collect()
     }
 
-    /// The autocorrelation of the moving average at t frames' distance when they come again after `frames`, over that at 0.
+    /// The autocorrelation of the moving average at t frames' distance when they come again after `frames`, over that
+    /// at 0.
     fn repeated(self, t: usize, frames: usize) -> f64 {
         let kept = 1.0 - f64::from(self.ema) / 1000.0;
         let power = |t: usize| (0..t).fold(1.0, |power, _| power * kept);
@@ -133,9 +134,9 @@ impl Space {
 
     /// The weight of two pixels.
     ///
-    /// Gaussians let hardly anything of the highest frequencies through and say nothing of neighbours: a part of a narrow
-    /// one is added. Without it smooth integrands have two and a half times the error after a Gaussian of 2 pixels;
-    /// boxes, which do let it through, lose a tenth by it.
+    /// Gaussians let hardly anything of the highest frequencies through and say nothing of neighbours: a part of a
+    /// narrow one is added. Without it smooth integrands have two and a half times the error after a Gaussian of 2
+    /// pixels; boxes, which do let it through, lose a tenth by it.
     fn kernel(self, dx: usize, dy: usize) -> f64 {
         let both = self.along(dx) * self.along(dy);
         let narrow = || libm::exp(-((dx * dx + dy * dy) as f64) / inputs::NARROW);

@@ -45,8 +45,8 @@ pub const NARROW: f64 = 3.92;
 /// error on smooth integrands and a fortieth on steps; the wide part holds down what is left after a wide filter.
 pub const VOID_AND_CLUSTER: Formula =
     ("void_and_cluster_kernel", 101, |r2| 1_048_576.0 * (libm::exp(-r2 / NARROW) + 0.1 * libm::exp(-r2 / 12.5)));
-/// 128·exp(−r²/2.2²), up to a distance of 4.9: the kernel of Georgiev and Fajardo, a little wider (2.1 leaves more error
-/// after wide filters, 2.3 after narrow ones).
+/// 128·exp(−r²/2.2²), up to a distance of 4.9: the kernel of Georgiev and Fajardo, a little wider (2.1 leaves more
+/// error after wide filters, 2.3 after narrow ones).
 pub const ANNEAL: Formula = ("anneal_kernel", 25, |r2| 128.0 * libm::exp(-r2 / 4.84));
 /// 2¹⁴·cos(π i/512): a quarter of a wave.
 pub const COSINE: Formula = ("cosine", 257, |i| 16384.0 * libm::cos(i * core::f64::consts::PI / 512.0));

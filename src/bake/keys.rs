@@ -1,7 +1,7 @@
 //! Keys of a tile: the first points of the sequence, one for every pixel, so that they are a net over the tile.
 //!
-//! A pixel's samples are points 0, 1, 2, … of the [sequence](crate::sequence) ⊕ its key. If the key is point k, they are
-//! points k, k ⊕ 1, k ⊕ 2, …: of the first 2ᵐ samples k >> m tells which block of the sequence they are.
+//! A pixel's samples are points 0, 1, 2, … of the [sequence](crate::sequence) ⊕ its key. If the key is point k, they
+//! are points k, k ⊕ 1, k ⊕ 2, …: of the first 2ᵐ samples k >> m tells which block of the sequence they are.
 //!
 //! ```text
 //! number k of every pixel: over a patch of 16×16 a sum modulo 2 of COLUMNS
@@ -12,14 +12,15 @@
 //!     Δ < threshold: swap, and update F around both
 //! the threshold falls to 0
 //! ```
-//! f are the errors of a basis of cosines, as in [`features`](super::features), 32 of each of the [`PREFIXES`] and only of
-//! those that a swap can change. Δ is half the change of the power of the filtered error image, as in
+//! f are the errors of a basis of cosines, as in [`features`](super::features), 32 of each of the [`PREFIXES`] and only
+//! of those that a swap can change. Δ is half the change of the power of the filtered error image, as in
 //! [`anneal`](super::anneal).
 //!
-//! The columns alone would do for the error: that of the first 2ᵐ samples is then a sum of Walsh functions over a patch. But
-//! they show, and two places of a tile of few patches would match. Random changes leave nothing of that in the first samples,
-//! and touch no set of four; the search makes the samples blue again. Patches are mirrored and turned at random. They share
-//! out all numbers, since the columns' sums are a subspace, of which each patch has a coset of its own.
+//! The columns alone would do for the error: that of the first 2ᵐ samples is then a sum of Walsh functions over a
+//! patch. But they show, and two places of a tile of few patches would match. Random changes leave nothing of that in
+//! the first samples, and touch no set of four; the search makes the samples blue again. Patches are mirrored and
+//! turned at random. They share out all numbers, since the columns' sums are a subspace, of which each patch has a
+//! coset of its own.
 
 use rand::Rng;
 use rand::rngs::Xoshiro256PlusPlus;
@@ -41,14 +42,16 @@ const FIRST_THRESHOLD: i64 = 50;
 
 /// What bits of the coordinates inside a patch add to a pixel's number: bit 0 of x, bit 0 of y, bit 1 of x, …
 ///
-/// The best of 60 runs of simulated annealing by its error and its pattern: 40,000 tries each, Walsh power of half-planes
-/// and of smooth integrands for 1, 2, 4, …, 256 samples, times what Gaussians of 1 and 2.1 pixels leave of the function.
+/// The best of 60 runs of simulated annealing by its error and its pattern: 40,000 tries each, Walsh power of
+/// half-planes and of smooth integrands for 1, 2, 4, …, 256 samples, times what Gaussians of 1 and 2.1 pixels leave of
+/// the function.
 pub const COLUMNS: [u32; 8] = [0x38d, 0x706, 0xd36, 0x184, 0x672, 0x789, 0x01e, 0x03e];
 
 /// log₂ of the side of a patch. With 8×8 pixels 16 samples have more error, and not less of a pattern.
 const PATCH_LOG2: u32 = COLUMNS.len() as u32 / 2;
 
-/// The number of every pixel of a tile of 2^`size_log2` squared by its patch, row by row: each of 0..S²−1 once. S is 64 or more.
+/// The number of every pixel of a tile of 2^`size_log2` squared by its patch, row by row: each of 0..S²−1 once. S is 64
+/// or more.
 pub fn start(size_log2: u32, rng: &mut Xoshiro256PlusPlus) -> Vec<u32> {
     let side = 1 << PATCH_LOG2;
     let patches_log2 = size_log2 - PATCH_LOG2;
@@ -116,8 +119,8 @@ pub fn points(sequence: &Sequence, count: u32) -> Vec<u32> {
     (0..count).map(packed).collect()
 }
 
-/// One feature vector for every aligned block of `prefix` points. `cosine` is a quarter of a wave in 256 steps, 2.14 fixed
-/// point.
+/// One feature vector for every aligned block of `prefix` points. `cosine` is a quarter of a wave in 256 steps, 2.14
+/// fixed point.
 pub fn vectors(points: &[u32], prefix: usize, columns: &[Column], cosine: &[i32]) -> Vec<Features> {
     let wave = &whole_wave(cosine)[..];
     let mut vectors = vec![[[0; 8]; ROWS]; points.len() / prefix];
@@ -157,7 +160,8 @@ fn whole_wave(cosine: &[i32]) -> Vec<i32> {
     (0..4096).map(step).collect()
 }
 
-/// Swaps numbers, `proposals` a pixel. `features[g]` are the vectors of prefix [`PREFIXES`]`[g]`, `kernel[r²]` the weights.
+/// Swaps numbers, `proposals` a pixel. `features[g]` are the vectors of prefix [`PREFIXES`]`[g]`, `kernel[r²]` the
+/// weights.
 pub fn anneal(
     numbers: &mut [u32],
     features: &[Vec<Features>],

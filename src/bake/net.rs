@@ -22,10 +22,11 @@ const LINES: usize = size_of::<Order>() / size_of::<Digits>();
 
 /// What stands above the words.
 const HEAD: &str = "\
-# The joint net (src/net.rs): a line a column, 16 digits of eight numbers, two numbers a word in hexadecimal.
-# For 1, 2, 4, 8, 16, 32, 64, 256 samples and for any number: columns of 16 bits of a sample's number, of bits 0 and 1 of x
-# and of y, and of 6 bits of the place on the curve. Then columns of 15 bits of a frame. The seal is the FNV-1a digest of
-# all words.
+# The joint net (src/net.rs), found by tests/search: a line a column, 16 digits of eight numbers, two numbers a word in
+# hexadecimal. For 1, 2, 4, 8, 16, 32, 64, 256 samples and for any number: columns of 16 bits of a sample's number, of
+# bits 0 and 1 of x and of y, and of 6 bits of the place on the curve. Then columns of 15 bits of a frame. The seal is
+# the FNV-1a digest of all words. Find them anew, and note the change of values in CHANGELOG.md:
+#     cargo run --release -p search
 ";
 
 impl Net {

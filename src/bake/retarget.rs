@@ -5,9 +5,9 @@
 //! three rounds: of all pairs at most 2 pixels apart along x and y, by the gain of a swap,
 //!               (now_p − now_q)·(then_q − then_p), the largest first: swap if neither has been
 //! ```
-//! Each round is a set of disjoint pairs: an involution, in place, on any part of a plane. Rounds of longer reach bring the
-//! masks closer (after two of 6 pixels .02 of the range apart instead of .04) and rendered pictures further away: a seed
-//! means less where it came from afar.
+//! Each round is a set of disjoint pairs: an involution, in place, on any part of a plane. Rounds of longer reach bring
+//! the masks closer (after two of 6 pixels .02 of the range apart instead of .04) and rendered pictures further away: a
+//! seed means less where it came from afar.
 
 /// Pixels that the mask moves by in every frame: odd, so that its places repeat after 64 frames only.
 pub const STEP: [usize; 2] = [21, 37];
@@ -16,8 +16,8 @@ pub const ROUNDS: u32 = 3;
 /// Pixels along x or y.
 const REACH: usize = 2;
 
-/// Four bits a round for every pixel of a mask of 64² pixels: a code of 5·down + right, in −2..=2, for the upper or left
-/// one of a pair; 0 for the other and for those that stay.
+/// Four bits a round for every pixel of a mask of 64² pixels: a code of 5·down + right, in −2..=2, for the upper or
+/// left one of a pair; 0 for the other and for those that stay.
 pub fn retargeting(mask: &[u16]) -> Vec<u16> {
     let mut now: Vec<i32> = mask.iter().map(|&rank| i32::from(rank)).collect();
     let then: Vec<i32> = (0..4096).map(|p| i32::from(mask[further(p, STEP[0], STEP[1])])).collect();

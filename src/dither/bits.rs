@@ -1,8 +1,8 @@
 //! Grey to 1 bit: a comparison a pixel, packed to bits by whatever the machine is good at.
 //!
-//! Dead ends, on baseline x86-64: gathering the signs of words of eight pixels by a product, adding up weights of a byte
-//! by a product, masks bit by bit in hope of one instruction for sixteen: all slower; transposing two to sixteen matrices
-//! at once: no faster.
+//! Dead ends, on baseline x86-64: gathering the signs of words of eight pixels by a product, adding up weights of a
+//! byte by a product, masks bit by bit in hope of one instruction for sixteen: all slower; transposing two to sixteen
+//! matrices at once: no faster.
 #![allow(clippy::cast_possible_truncation, reason = "thresholds that are below 255, and single bits")]
 #![allow(clippy::needless_range_loop, reason = "fixed arrays side by side: that is what vectorises")]
 

@@ -36,8 +36,8 @@ const fn linear_8(v: u64) -> u16 {
     ((n * n * z * 65535 / (d * d) + (1 << 18)) >> 19) as u16
 }
 
-/// Linear light of an sRGB value, both 16 bits, 0 to 0 and 65535 to 65535. Monotone; exact to about one unit for the values
-/// 257·v of 8 bits, and linear between them.
+/// Linear light of an sRGB value, both 16 bits, 0 to 0 and 65535 to 65535. Monotone; exact to about one unit for the
+/// values 257·v of 8 bits, and linear between them.
 #[inline]
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "between two numbers of 16 bits")]
@@ -48,7 +48,8 @@ pub const fn to_linear(srgb: u16) -> u16 {
     (lower + ((upper - lower) * rest + 128) / 257) as u16
 }
 
-/// The largest sRGB value whose linear light is not above the given, both 16 bits: for renderers, whose numbers are linear.
+/// The largest sRGB value whose linear light is not above the given, both 16 bits: for renderers, whose numbers are
+/// linear.
 #[must_use]
 pub const fn from_linear(linear: u16) -> u16 {
     let (mut srgb, mut bit) = (0, 0x8000);

@@ -11,7 +11,8 @@ pub(super) const RUN: usize = 64;
 /// The levels of a run.
 pub(super) type Levels<const C: usize> = [[u8; C]; RUN];
 
-/// What is added before the division, so that a value rises where it exceeds the threshold: `max` − ⌊threshold · `max`⌋.
+/// What is added before the division, so that a value rises where it exceeds the threshold: `max` − ⌊threshold ·
+/// `max`⌋.
 type Bias<T, const C: usize> = [[T; C]; RUN];
 
 impl Dither<'_> {
@@ -24,8 +25,8 @@ impl Dither<'_> {
         }
     }
 
-    /// ⌊threshold · `max`⌋ for the pixels of a run: [`threshold_fx`](Self::threshold_fx), with everything but x taken out
-    /// of the loop. A whole call, so that the loops over pixels are compiled on their own.
+    /// ⌊threshold · `max`⌋ for the pixels of a run: [`threshold_fx`](Self::threshold_fx), with everything but x taken
+    /// out of the loop. A whole call, so that the loops over pixels are compiled on their own.
     #[inline(never)]
     pub(super) fn run(&self, x: u32, y: u32, channel: usize, max: u32) -> [u16; RUN] {
         let [place_x, place_y] = self.places[channel % CHANNELS];

@@ -19,8 +19,8 @@
 //! # }
 //! ```
 //!
-//! - **Exact** with a mask or a matrix, unless `triangular` or `gamma`: on a constant value v of 255, round(v·S²/255) pixels of every S×S tile are white; black stays black,
-//!   white stays white, and so does every value that is a level.
+//! - **Exact** with a mask or a matrix, unless `triangular` or `gamma`: on a constant value v of 255, round(v·S²/255)
+//!   pixels of every S×S tile are white; black stays black, white stays white, and so does every value that is a level.
 //! - **Integers only.** Sources in `f32` (feature `float`) and gamma (feature `gamma`) add one conversion.
 //! - **Channels** read the mask at different places, and so do frames, as far as a small one has places.
 //! - Every row is a function of its arguments: no state, any order, any thread.
@@ -147,9 +147,9 @@ impl<'a> Dither<'a> {
         self
     }
 
-    /// Sources are sRGB, and the *light* of a dithered area is that of the source: without this, dithered mid-tones come
-    /// out too bright. All channels of `levels_row` count as light; the alpha of `stencil_row` does not. Slower: pixel by
-    /// pixel. Replaces `triangular`.
+    /// Sources are sRGB, and the *light* of a dithered area is that of the source: without this, dithered mid-tones
+    /// come out too bright. All channels of `levels_row` count as light; the alpha of `stencil_row` does not. Slower:
+    /// pixel by pixel. Replaces `triangular`.
     #[cfg(feature = "gamma")]
     #[must_use]
     pub const fn gamma(mut self) -> Self {
@@ -157,8 +157,8 @@ impl<'a> Dither<'a> {
         self
     }
 
-    /// The threshold at a pixel in 0.32 fixed point; channels beyond the fourth repeat. Channel 0 of frame 0 of a mask is
-    /// [`ScalarMask::value_fx`], at origin 0.
+    /// The threshold at a pixel in 0.32 fixed point; channels beyond the fourth repeat. Channel 0 of frame 0 of a mask
+    /// is [`ScalarMask::value_fx`], at origin 0.
     #[inline]
     #[must_use]
     pub const fn threshold_fx(&self, x: u32, y: u32, channel: u32) -> u32 {

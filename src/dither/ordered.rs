@@ -5,8 +5,8 @@ use crate::zorder;
 /// The largest matrix, as log₂ of its side: the centres of its 2³⁰ cells just fit 0.32 fixed point.
 pub const MAX_LOG2: u32 = 15;
 
-/// The threshold at a pixel in 0.32 fixed point, the centre of its rank's cell; a `size_log2` beyond [`MAX_LOG2`] counts
-/// as that.
+/// The threshold at a pixel in 0.32 fixed point, the centre of its rank's cell; a `size_log2` beyond [`MAX_LOG2`]
+/// counts as that.
 ///
 /// The matrix of twice the side is 4·M + {0, 2; 3, 1}: the lowest bits of the coordinates weigh most. Bit by bit
 /// that is the Z curve of (x ⊕ y, y), read backwards.

@@ -4,9 +4,9 @@
 /// exceeds the threshold (0.32 fixed point).
 ///
 /// Levels are evenly spaced from 0 to `max`. Monotone in `value` and in the threshold; a value that *is* a level stays,
-/// whatever the threshold; so black stays black and white stays white. Values beyond `max` count as `max`, and fewer than
-/// two levels or a `max` of 0 give 0. With the thresholds of an S×S mask the share of upper levels is exact to the nearest
-/// 1/S², since they are centres of cells.
+/// whatever the threshold; so black stays black and white stays white. Values beyond `max` count as `max`, and fewer
+/// than two levels or a `max` of 0 give 0. With the thresholds of an S×S mask the share of upper levels is exact to the
+/// nearest 1/S², since they are centres of cells.
 #[inline]
 #[must_use]
 #[expect(clippy::cast_possible_truncation, reason = "a level is below `levels`")]
@@ -17,8 +17,8 @@ pub const fn level(value: u16, max: u16, levels: u16, threshold_fx: u32) -> u16 
 }
 
 /// [`level`] with triangularly distributed noise of ±1 level: up to three levels occur, and the variance of the error
-/// does not depend on the value. Within half a level of black and of white it is [`level`], which joins without a step: a
-/// mean is kept there as well, and black and white stay.
+/// does not depend on the value. Within half a level of black and of white it is [`level`], which joins without a step:
+/// a mean is kept there as well, and black and white stay.
 #[must_use]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a level is below `levels`")]
 pub const fn level_triangular(value: u16, max: u16, levels: u16, threshold_fx: u32) -> u16 {

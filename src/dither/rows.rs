@@ -53,9 +53,9 @@ pub(super) const fn fits(needed: usize, given: usize) -> Result<(), RowError> {
     if needed <= given { Ok(()) } else { Err(RowError::TooShort { needed, given }) }
 }
 
-/// Each function dithers row `y`, from x = 0 on (see [`origin`](Dither::origin)). The destination may be longer than needed;
-/// what is beyond the row stays. An empty row is no error. If the source does not hold whole pixels or the destination is
-/// too short, they return that error and write nothing.
+/// Each function dithers row `y`, from x = 0 on (see [`origin`](Dither::origin)). The destination may be longer than
+/// needed; what is beyond the row stays. An empty row is no error. If the source does not hold whole pixels or the
+/// destination is too short, they return that error and write nothing.
 impl Dither<'_> {
     /// Grey to 1 bit: eight pixels a byte, the leftmost in the highest bit, 1 is white. Unused bits are 0.
     pub fn gray1_row<'s>(&self, y: u32, src: impl Into<Samples<'s>>, dst: &mut [u8]) -> Result<(), RowError> {

@@ -2,8 +2,8 @@
 
 /// The samples of one row, channels interleaved: grey, or red, green, blue.
 ///
-/// A slice of `u8` or `u16` converts by itself; 10 and 12 bits lie in the lower bits of a `u16`, and larger numbers count
-/// as white.
+/// A slice of `u8` or `u16` converts by itself; 10 and 12 bits lie in the lower bits of a `u16`, and larger numbers
+/// count as white.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Samples<'a> {

@@ -5,9 +5,9 @@
 //! Circle::new(Point::zero(), 64).into_styled(PrimitiveStyle::with_fill(Rgb888::CSS_CORAL)).draw(&mut screen)?;
 //! ```
 //!
-//! Colours that are drawn are [`Rgb888`] or [`Gray8`]; grey displays take the luma of RGB, and a grey is drawn on colour
-//! displays as the RGB that is as bright. Nothing is read back and nothing stored: every pixel is dithered at its own
-//! place, so that parts drawn at different times fit.
+//! Colours that are drawn are [`Rgb888`] or [`Gray8`]; grey displays take the luma of RGB, and a grey is drawn on
+//! colour displays as the RGB that is as bright. Nothing is read back and nothing stored: every pixel is dithered at
+//! its own place, so that parts drawn at different times fit.
 
 use super::Dither;
 use embedded_graphics_core::Pixel;

@@ -2,7 +2,7 @@
 //!
 //! | you have | take | table |
 //! |---|---|---|
-//! | anything: the default | the samplers' `frame`: frames average as independent ones do, each as blue as the first | |
+//! | anything: the default | the samplers' `frame`: those of `Sampler` go on where the last one stopped, others average as independent ones do; each is as blue as the first | |
 //! | a threshold or one number a pixel, and frames that are averaged | [`TimeMask`](masks::TimeMask), feature `threshold-over-time-64` | 128 KiB |
 //! | the same on a tile of 128² pixels, with 64 frames before they repeat (a second at 60 Hz) | the same, `threshold-over-time-128` | 2 MiB |
 //! | pairs of numbers, one sample a frame, averaged over time alone (after a filter over pixels `Sampler` is as good) | [`VectorTimeMask`](masks::VectorTimeMask), `offset-2d-over-time-64` | 128 KiB |

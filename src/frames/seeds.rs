@@ -13,9 +13,10 @@
 //! --nocapture` prints the figures.)
 //!
 //! For paths of many bounces, where samplers have nothing to offer over several pixels. It needs frames that resemble
-//! each other: after a cut it starts anew, and where the picture is rough, or moves by more than what is alike in it, the
-//! error stays white; two pixels a frame take nothing in a smooth room. Best at one sample a pixel: of 16, less is left to
-//! sort (.7 of white's filtered error instead of .55, in a small picture). The blocks begin elsewhere in every frame.
+//! each other: after a cut it starts anew, and where the picture is rough, or moves by more than what is alike in it,
+//! the error stays white; two pixels a frame take nothing in a smooth room. Best at one sample a pixel: of 16, less is
+//! left to sort (.7 of white's filtered error instead of .55, in a small picture). The blocks begin elsewhere in every
+//! frame.
 //!
 //! ```
 //! use bluedither::{White, frames::seeds};
@@ -31,9 +32,9 @@
 //! ```
 //!
 //! In place, without allocation, for pictures of any size: 64 seeds at a time are on the stack. Rows may be given in
-//! parts, to [`sort`] and [`retarget`] themselves; of `retarget`, up to six rows at a cut then differ from what the whole
-//! would give. Every frame costs a pass of sorting and three of swaps: `cargo run --release -p report -- frames` prints
-//! nanoseconds a pixel.
+//! parts, to [`sort`] and [`retarget`] themselves; of `retarget`, up to six rows at a cut then differ from what the
+//! whole would give. Every frame costs a pass of sorting and three of swaps: `cargo run --release -p report -- frames`
+//! prints nanoseconds a pixel.
 
 use crate::tables::{SEED_PERMUTATION, THRESHOLD_64};
 
@@ -46,13 +47,13 @@ pub struct Rows {
     pub first: u32,
 }
 
-/// Moves seeds from the places that they had in `frame` to those of the next one: [`sort`], then [`retarget`], of a whole
-/// picture of `width` pixels a row.
+/// Moves seeds from the places that they had in `frame` to those of the next one: [`sort`], then [`retarget`], of a
+/// whole picture of `width` pixels a row.
 ///
 /// SIDE is 2, 4 or 8. With 8, less error is left after a narrow filter by [`sort`] alone, and after a wide one by both.
 ///
-/// `estimates` are what each pixel found in `frame`, as one number: its luminance, of one sample or of many. Infinite and
-/// undefined ones are sorted as any other; pixels without one, past the slice's end, count as brightest.
+/// `estimates` are what each pixel found in `frame`, as one number: its luminance, of one sample or of many. Infinite
+/// and undefined ones are sorted as any other; pixels without one, past the slice's end, count as brightest.
 #[inline]
 pub fn permute<const SIDE: usize>(seeds: &mut [u32], estimates: &[f32], width: u32, frame: u32) {
     let rows = Rows { width, first: 0 };
@@ -91,8 +92,8 @@ pub const fn begins_block<const SIDE: usize>(row: u32, frame: u32) -> bool {
     (row as usize).wrapping_add(origin::<SIDE>(frame)[1]) & (SIDE - 1) == 0
 }
 
-/// Swaps seeds between neighbours, at most 6 pixels along x or y in all, so that what stood in the order of `frame` stands
-/// nearly in that of the next one.
+/// Swaps seeds between neighbours, at most 6 pixels along x or y in all, so that what stood in the order of `frame`
+/// stands nearly in that of the next one.
 ///
 /// The pairs are disjoint, so this is a bijection whatever part of the picture the slice holds: pairs that reach beyond
 /// it stay.
@@ -129,8 +130,8 @@ fn extent(seeds: usize, rows: Rows) -> (usize, usize) {
     (width, seeds.checked_div(width).unwrap_or(0))
 }
 
-/// How far blocks begin before the corner. Half a block from frame to frame: what had an edge between it then, is in one
-/// block now.
+/// How far blocks begin before the corner. Half a block from frame to frame: what had an edge between it then, is in
+/// one block now.
 const fn origin<const SIDE: usize>(frame: u32) -> [usize; 2] {
     let half = SIDE / 2;
     match frame & 3 {
@@ -238,8 +239,8 @@ impl Retargeting {
         [frame.wrapping_mul(self.step[0]), frame.wrapping_mul(self.step[1])]
     }
 
-    /// Pixels to the right (−2..=2) and down (0..=2) to the partner of a place in a round, if it has one there; of a pair,
-    /// only the upper or left one has. Any coordinates; rounds past the last have no pairs.
+    /// Pixels to the right (−2..=2) and down (0..=2) to the partner of a place in a round, if it has one there; of a
+    /// pair, only the upper or left one has. Any coordinates; rounds past the last have no pairs.
     #[inline]
     #[must_use]
     pub const fn partner(&self, round: u32, x: u32, y: u32) -> Option<(isize, usize)> {

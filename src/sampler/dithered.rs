@@ -1,5 +1,5 @@
-//! Georgiev and Fajardo 2016: one pattern for the image, one offset a pixel from a blue-noise mask. With a rank-1 lattice
-//! as the pattern: Belcour and Heitz 2021.
+//! Georgiev and Fajardo 2016: one pattern for the image, one offset a pixel from a blue-noise mask. With a rank-1
+//! lattice as the pattern: Belcour and Heitz 2021.
 
 use super::{Pair, Single, call_shape, domain_seed, padded, row_by_pixels, row_shape, spread};
 use crate::mask::{ScalarMask, VectorMask};
@@ -12,9 +12,10 @@ use crate::{hash, lattice, shift, sobol, strata, torus};
 /// white, and from 16 on [`White`](crate::White), which has better points, leaves less of it. A draw costs a few
 /// hashes, a look-up and a Sobol point, and with strata a division or more.
 ///
-/// A mask has as many places as pixels: of thousands of domains or seeds some two read the same one. As many frames read
-/// about five sixths of the places; then comes a round from another start and with other values, so that the mean over
-/// frames goes on getting better: at one sample its error is that of independent frames, and from a thousand on less.
+/// A mask has as many places as pixels: of thousands of domains or seeds some two read the same one. As many frames
+/// read about five sixths of the places; then comes a round from another start and with other values, so that the mean
+/// over frames goes on getting better: at one sample its error is that of independent frames, and from a thousand on
+/// less.
 #[derive(Clone, Copy, Debug)]
 pub struct Dithered<'a, const S: usize = 64> {
     scalar: &'a ScalarMask<S>,
@@ -98,8 +99,8 @@ impl<'a, const S: usize> Dithered<'a, S> {
         self
     }
 
-    /// Takes pairs that have no strata from a rank-1 lattice, in place of the Sobol sequence: for masks that are made for
-    /// it.
+    /// Takes pairs that have no strata from a rank-1 lattice, in place of the Sobol sequence: for masks that are made
+    /// for it.
     #[inline]
     #[must_use]
     pub const fn on_lattice(mut self) -> Self {
@@ -143,7 +144,8 @@ impl<const S: usize> DitheredPixel<'_, S> {
         let seed = self.round_seed(domain, pad);
         let flips = flips(seed);
         let [u, v] = self.sampler.vector.value_fx(x, y);
-        // Upper digits of both or of none: a pattern that is turned by half a turn is much the same, a mirrored one is not.
+        // Upper digits of both or of none: a pattern that is turned by half a turn is much the same, a mirrored one is
+        // not.
         let offset = [u ^ flips, v ^ flips ^ seed.rotate_left(16) >> 8];
         DitheredPair { order, offset, on_lattice: self.sampler.on_lattice }
     }
@@ -163,8 +165,8 @@ impl<const S: usize> DitheredPixel<'_, S> {
         (self.x.wrapping_add(dx), self.y.wrapping_add(dy))
     }
 
-    /// What tells the flips of a round: none in the first, of which the product is 0. A hash for every round and domain would
-    /// be a tenth of a draw's instructions on a GPU; this much of it is the same for all domains.
+    /// What tells the flips of a round: none in the first, of which the product is 0. A hash for every round and domain
+    /// would be a tenth of a draw's instructions on a GPU; this much of it is the same for all domains.
     #[inline]
     const fn round_seed(self, domain: u32, pad: u32) -> u32 {
         let product = self.round().wrapping_mul(ROUND);
@@ -181,9 +183,10 @@ impl<const S: usize> DitheredPixel<'_, S> {
 /// Odd, without a pattern: rounds and the seeds in use do not meet.
 const ROUND: u32 = 0xb529_7a4d;
 
-/// Digits that a round flips in all values of a mask: all or none of the upper nine, which leaves their blueness as it is,
-/// and any below, which changes little. (Any below the sixth cost a twentieth.) The values stay a net, but of another set: the
-/// mean over rounds would else never get better than that over the mask, which a half-plane misses by up to a hundredth.
+/// Digits that a round flips in all values of a mask: all or none of the upper nine, which leaves their blueness as it
+/// is, and any below, which changes little. (Any below the sixth cost a twentieth.) The values stay a net, but of
+/// another set: the mean over rounds would else never get better than that over the mask, which a half-plane misses by
+/// up to a hundredth.
 #[inline(always)]
 const fn flips(seed: u32) -> u32 {
     (seed.cast_signed() >> 8).cast_unsigned()
@@ -196,9 +199,9 @@ struct Order {
     seed: u32,
     /// 0: the pattern as a whole.
     strata: u32,
-    /// Every pixel turns the order of the cells by a number of its own. All of them are visited, so this changes nothing
-    /// within a domain; but if cell a of one domain met cell b of another in every pixel, all pixels would have the same
-    /// error.
+    /// Every pixel turns the order of the cells by a number of its own. All of them are visited, so this changes
+    /// nothing within a domain; but if cell a of one domain met cell b of another in every pixel, all pixels would have
+    /// the same error.
     turn: u32,
 }
 
@@ -212,8 +215,8 @@ impl Order {
         if count == 1 {
             return (hash::shuffle(index, seed), 0);
         }
-        // In an order of the domain's own: the place in a cell depends on the pass, and two domains that went from place
-        // to place together would stay on a diagonal for ever.
+        // In an order of the domain's own: the place in a cell depends on the pass, and two domains that went from
+        // place to place together would stay on a diagonal for ever.
         let (pass, index) =
             if index < count { (0, index) } else { (hash::shuffle(index / count, seed), index % count) };
         let cell = strata::permute(index, count, hash::combine(seed, pass));

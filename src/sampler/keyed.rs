@@ -1,4 +1,5 @@
-//! Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019: one sequence for the image, scrambled by keys of every pixel.
+//! Heitz, Belcour, Ostromoukhov, Coeurjolly and Iehl 2019: one sequence for the image, scrambled by keys of every
+//! pixel.
 
 use super::{Pair, call_shape, domain_seed, halves, padded, row_by_pixels, row_shape};
 use crate::tables::SEQUENCE;
@@ -14,10 +15,10 @@ use crate::{hash, keys::Keys, torus};
 /// products and some XORs. A sample is a bit reversal, three products and a look-up in 2 KiB of points; from the
 /// 257th on another look-up for each bit set above the eighth.
 ///
-/// The first samples of two domains or frames are as good as uncorrelated over the pixels of a tile. A tile is patches of
-/// 16×16 pixels, turned and mirrored at random: their errors show more of a pattern than an annealed mask has, and the tile
-/// repeats every 64 pixels. It has 4096 places: of domains, frames or seeds that are thousands apart some two read the same
-/// one, and have the same first samples but for the digits below the twelfth.
+/// The first samples of two domains or frames are as good as uncorrelated over the pixels of a tile. A tile is patches
+/// of 16×16 pixels, turned and mirrored at random: their errors show more of a pattern than an annealed mask has, and
+/// the tile repeats every 64 pixels. It has 4096 places: of domains, frames or seeds that are thousands apart some two
+/// read the same one, and have the same first samples but for the digits below the twelfth.
 #[derive(Clone, Copy, Debug)]
 pub struct Keyed<'a, const S: usize = 64> {
     keys: &'a Keys<S>,
@@ -80,8 +81,8 @@ impl<const S: usize> KeyedPixel<'_, S> {
     }
 }
 
-/// A pixel's own order. Its key tells it from the other pixels of the tile, so that nothing else need be hashed; the lower
-/// half of the product knows the second key only, and takes in the upper half.
+/// A pixel's own order. Its key tells it from the other pixels of the tile, so that nothing else need be hashed; the
+/// lower half of the product knows the second key only, and takes in the upper half.
 #[inline(always)]
 const fn scatter(value: u32) -> u32 {
     let product = value.wrapping_mul(0x9e37_79b1);

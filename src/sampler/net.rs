@@ -8,24 +8,24 @@ use crate::{hash, zorder};
 /// Blue-noise error in eight numbers at once, at every number of samples and without a texture that is seen: the
 /// [joint net](crate::net).
 ///
-/// All pixels share one digital net; a pixel's place on a shuffled Z curve decides which part of it is the pixel's own. No
-/// mask and no tile; 3,984 bytes of constants. The eight numbers of a domain are blue together, own pairs most. Different
-/// domains are unrelated: each lies elsewhere on a curve of its own and every pixel visits its samples in an order of its own.
-/// Only the first sample of a progressive run and the one of `with_spp(seed, 1)` have no order: after filters of many pixels
-/// the joint error of two domains is up to 1.3 times that of independent numbers there.
+/// All pixels share one digital net; a pixel's place on a shuffled Z curve decides which part of it is the pixel's own.
+/// No mask and no tile; 3,984 bytes of constants. The eight numbers of a domain are blue together, own pairs most.
+/// Different domains are unrelated: each lies elsewhere on a curve of its own and every pixel visits its samples in an
+/// order of its own. Only the first sample of a progressive run and the one of `with_spp(seed, 1)` have no order: after
+/// filters of many pixels the joint error of two domains is up to 1.3 times that of independent numbers there.
 ///
-/// **Frames** are further digits of the sample's number. 2ᵏ frames of 2ᵐ samples, m known beforehand, are the samples of one
-/// net of 2^(m+k) in every pixel, and each frame alone is as blue as the first: frames that are averaged go on where the
-/// last one stopped. By [`new`](Self::new) that holds for 8ᵏ frames. After 2¹⁶ samples in all (by `new` after 2¹⁵ frames, or
-/// 2¹⁶ samples of one) sequences begin anew.
+/// **Frames** are further digits of the sample's number. 2ᵏ frames of 2ᵐ samples, m known beforehand, are the samples
+/// of one net of 2^(m+k) in every pixel, and each frame alone is as blue as the first: frames that are averaged go on
+/// where the last one stopped. By [`new`](Self::new) that holds for 8ᵏ frames. After 2¹⁶ samples in all (by `new` after
+/// 2¹⁵ frames, or 2¹⁶ samples of one) sequences begin anew.
 ///
-/// A number has 16 digits of its own; those below are the same for all samples of 32×32 pixels. A domain costs a pixel three
-/// hashes and ten columns; a sample some twenty operations and a column for each bit of its number.
+/// A number has 16 digits of its own; those below are the same for all samples of 32×32 pixels. A domain costs a pixel
+/// three hashes and ten columns; a sample some twenty operations and a column for each bit of its number.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
     order: &'static Order,
-    /// Bits of a sample's number below those of the frame; all of them if the number of samples is not known, and frames have
-    /// columns of their own.
+    /// Bits of a sample's number below those of the frame; all of them if the number of samples is not known, and
+    /// frames have columns of their own.
     bits: u32,
     seed: u32,
 }
@@ -40,8 +40,9 @@ impl Sampler {
 
     /// `spp` samples per pixel: bluer than by [`new`](Self::new) once all are drawn, and less so before.
     ///
-    /// For powers of two up to 64, and 256; 0 counts as 1. Other numbers, 128 among them, are drawn as by [`new`](Self::new).
-    /// An `index` ≥ `spp` continues the net, with samples of other frames: `index / spp` XORed with the frame.
+    /// For powers of two up to 64, and 256; 0 counts as 1. Other numbers, 128 among them, are drawn as by
+    /// [`new`](Self::new). An `index` ≥ `spp` continues the net, with samples of other frames: `index / spp` XORed with
+    /// the frame.
     #[inline]
     #[must_use]
     pub const fn with_spp(seed: u32, spp: u32) -> Self {
@@ -109,8 +110,9 @@ impl SamplerPixel {
         // Every domain lies elsewhere on the plane, on a curve of its own.
         let (x, y) = (self.x.wrapping_add(high), self.y.wrapping_add(high.rotate_left(16)));
         let curve = hash::laine_karras_4(zorder::morton_16(x >> 2, y >> 2).reverse_bits(), low);
-        // Eight variants of a block, by which no Walsh function is seen: transposed or not, upper bits of one axis added to
-        // lower ones of the other or not. Every block keeps its points, so that wide filters see no difference.
+        // Eight variants of a block, by which no Walsh function is seen: transposed or not, upper bits of one axis
+        // added to lower ones of the other or not. Every block keeps its points, so that wide filters see no
+        // difference.
         let variant = curve.wrapping_mul(ODD[0]) >> 29;
         let (u, v) = if variant & 4 == 4 { (y & 3, x & 3) } else { (x & 3, y & 3) };
         let u = u ^ (variant >> 1 & v >> 1);
@@ -189,8 +191,8 @@ const RUN_LOG2: u32 = 4;
 /// An odd constant without a pattern.
 const SPREAD: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// Which bits of a number are added to lower ones: an order in which every run of 2ᵏ numbers from a multiple of 2ᵏ on stays
-/// such a run.
+/// Which bits of a number are added to lower ones: an order in which every run of 2ᵏ numbers from a multiple of 2ᵏ on
+/// stays such a run.
 #[derive(Clone, Copy)]
 struct Masks([u32; 7]);
 

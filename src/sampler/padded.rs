@@ -21,9 +21,9 @@ impl<P: Pair> Single for P {
     }
 }
 
-/// What [`call_shape!`](super::shape) asks for, made from a pixel's private `pair(domain, pad)`, a [`Pair`], where `pad` =
-/// 0..3 is the number of the pair in its domain, and from what gives a [`Single`] in the same way: `pair` again, or a
-/// method of its own.
+/// What [`call_shape!`](super::shape) asks for, made from a pixel's private `pair(domain, pad)`, a [`Pair`], where
+/// `pad` = 0..3 is the number of the pair in its domain, and from what gives a [`Single`] in the same way: `pair`
+/// again, or a method of its own.
 macro_rules! padded {
     (impl[$($generics:tt)*] $pixel:ty, $single:ident) => {
         impl<$($generics)*> $pixel {
@@ -66,8 +66,8 @@ macro_rules! padded {
                 }
             }
 
-            /// One of the pairs, or what there is of it: what does not depend on the index stands before the loops. Places are
-            /// constants, so that no bounds check is left.
+            /// One of the pairs, or what there is of it: what does not depend on the index stands before the loops.
+            /// Places are constants, so that no bounds check is left.
             #[inline(always)]
             fn fill_pair<const PAD: u32, const D: usize, T>(
                 self,
@@ -94,7 +94,8 @@ macro_rules! padded {
 }
 pub(super) use padded;
 
-/// The bit-reversed indices from `first` on, one for each target. A reversal costs as much as a sample: one for sixteen.
+/// The bit-reversed indices from `first` on, one for each target. A reversal costs as much as a sample: one for
+/// sixteen.
 #[inline(always)]
 pub(super) fn each_rev<T>(first: u32, targets: &mut [T], put: impl Fn(u32, &mut T)) {
     static LOWER: [u32; 16] = {

@@ -11,8 +11,8 @@ macro_rules! call_shape {
         impl<$($generics)*> $pixel {
             /// Sample `index` for purpose `domain`: D = 1..8 numbers in 0.32 fixed point. More is a compile error.
             ///
-            /// Components 2k and 2k+1 are an own pair, and the same in a longer draw. A last component without a partner
-            /// need not be: [`Dithered`](crate::Dithered) has a mask of its own for it. This is the definition;
+            /// Components 2k and 2k+1 are an own pair, and the same in a longer draw. A last component without a
+            /// partner need not be: [`Dithered`](crate::Dithered) has a mask of its own for it. This is the definition;
             /// [`draw`](Self::draw) is derived from it. Number domains 0, 1, 2, …
             #[inline(always)]
             #[must_use]
@@ -29,8 +29,8 @@ macro_rules! call_shape {
             }
 
             /// Samples `first`, `first` + 1, … for purpose `domain`, D = 1..8 numbers each: what
-            /// [`draw_fx`](Self::draw_fx) returns, but what does not depend on the index is done once, which pays off from
-            /// a few samples on. Indices wrap after 2³²−1.
+            /// [`draw_fx`](Self::draw_fx) returns, but what does not depend on the index is done once, which pays off
+            /// from a few samples on. Indices wrap after 2³²−1.
             #[inline]
             pub fn fill_fx<const D: usize>(self, domain: u32, first: u32, samples: &mut [[u32; D]]) {
                 const { $crate::sampler::assert_dimensions(D) };
@@ -38,8 +38,8 @@ macro_rules! call_shape {
             }
 
             /// Samples `first`, `first` + 1, … for purpose `domain`, D = 1..8 numbers each: what [`draw`](Self::draw)
-            /// returns, but what does not depend on the index is done once, which pays off from a few samples on. Indices
-            /// wrap after 2³²−1.
+            /// returns, but what does not depend on the index is done once, which pays off from a few samples on.
+            /// Indices wrap after 2³²−1.
             #[inline]
             pub fn fill<const D: usize>(self, domain: u32, first: u32, samples: &mut [[f32; D]]) {
                 const { $crate::sampler::assert_dimensions(D) };

@@ -1,9 +1,10 @@
 //! The same functions for shaders: WGSL text to paste, and the tables' bytes for its bindings.
 //!
 //! A [`Parts`] names what a shader uses, and gives each text once, with all that it needs. Names begin with `bd_`
-//! (constants with `BD_`), then come the Rust module or type and the function: `hash::mix` is `bd_hash_mix`, `sampler.pixel(x, y, frame)` is
-//! `bd_sampler_pixel(sampler, x, y, frame)`, and another sampler is another word, as in Rust. `draw::<2>` is `draw2`;
-//! `[u32; 2]` is `vec2<u32>`, and so up to four; `[u32; 5]` is `array<u32, 5>`; `u64` is `vec2<u32>`, its lower half first. The bits are the same.
+//! (constants with `BD_`), then come the Rust module or type and the function: `hash::mix` is `bd_hash_mix`,
+//! `sampler.pixel(x, y, frame)` is `bd_sampler_pixel(sampler, x, y, frame)`, and another sampler is another word, as in
+//! Rust. `draw::<2>` is `draw2`; `[u32; 2]` is `vec2<u32>`, and so up to four; `[u32; 5]` is `array<u32, 5>`; `u64` is
+//! `vec2<u32>`, its lower half first. The bits are the same.
 //!
 //! A text reads its table by a function that it leaves to you, as its head says. Write it, or take one of a [`Table`],
 //! for a storage buffer or a texture:

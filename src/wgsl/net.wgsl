@@ -1,8 +1,8 @@
 // The joint net: columns of one digital net for the whole picture. As `bluedither::net`; its constants come column by
 // column, four words each, from a function that you write, or take with `shader::NET`:
 //     fn bd_net_load(i: u32) -> vec4<u32>
-// Nine orders of 26 columns: for 1, 2, 4, ..., 64 and 256 samples and for any number, each for the 16 bits of a sample's
-// number, the 4 of the place inside a block and the 6 of the place on the curve. Then 15 columns for frames.
+// Nine orders of 26 columns: for 1, 2, 4, ..., 64 and 256 samples and for any number, each for the 16 bits of a
+// sample's number, the 4 of the place inside a block and the 6 of the place on the curve. Then 15 columns for frames.
 
 // In columns: an order, and where its parts begin; where those of frames begin, and how many there are.
 const BD_NET_ORDER = 26u;

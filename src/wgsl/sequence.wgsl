@@ -1,5 +1,5 @@
-// The (0, 2)-sequence of `bluedither::Keyed`. As `bluedither::sequence`; its constants come word by word from a function
-// that you write, or take with `shader::SEQUENCE`:
+// The (0, 2)-sequence of `bluedither::Keyed`. As `bluedither::sequence`; its constants come word by word from a
+// function that you write, or take with `shader::SEQUENCE`:
 //     fn bd_sequence_load(i: u32) -> u32
 // Two words (low, high) a number: the sums for two nibbles of an index, and 24 columns.
 

@@ -40,8 +40,8 @@ fn half_planes() -> Vec<Integrand<2>> {
     lines.map(|line| Integrand { exact: line.area(), at: Box::new(move |p| line.value(p)) }).collect()
 }
 
-/// RMS of the error of the mean over frames `first..first + frames`, unfiltered and at both sigmas; integrands count alike
-/// by the first frame of white noise.
+/// RMS of the error of the mean over frames `first..first + frames`, unfiltered and at both sigmas; integrands count
+/// alike by the first frame of white noise.
 fn error<const D: usize>(integrands: &[Integrand<D>], frames: core::ops::Range<u32>, draw: Draw<D>) -> [f64; 3] {
     let mut sums = [0.0; 3];
     for Integrand { exact, at } in integrands {

@@ -6,8 +6,8 @@ use bluedither::unit;
 
 #[test]
 fn domains_frames_and_components_are_decorrelated() {
-    // With many samples also one from the middle, whose number has its highest bit set: bits of an order and of a scramble
-    // that cancel there would show.
+    // With many samples also one from the middle, whose number has its highest bit set: bits of an order and of a
+    // scramble that cancel there would show.
     for (spp, index) in [(1, 0), (4, 0), (8, 4), (16, 8), (64, 32)] {
         for_every_sampler!(2, spp, |name, sampler| {
             // The first samples of two domains of the net may be related over one block of 4² pixels: it takes many of
@@ -57,7 +57,8 @@ fn samples_of_one_pixel_are_decorrelated() {
     }
 }
 
-/// The mean square correlation of pairs of series is what random orders have, 1/(n−1), or some two of it, which nets have.
+/// The mean square correlation of pairs of series is what random orders have, 1/(n−1), or some two of it, which nets
+/// have.
 fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) -> ([u32; 1], [u32; 8])) {
     let joint = name.starts_with("net");
     let series = |frame, domain| -> [Vec<f64>; 9] {
@@ -68,7 +69,7 @@ fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) 
     };
     let here = series(0, 0);
     let mut squares = [0.0; 11];
-    const OTHERS: u32 = 400;
+    const OTHERS: u32 = 1600;
     for k in 1..=OTHERS {
         let (domain, frame) = (series(0, k), series(k, 0));
         let pairs = [
@@ -92,9 +93,9 @@ fn assert_no_joint_structure(name: &str, spp: u32, draw: impl Fn(u32, u32, u32) 
     assert!(worst < 3.0, "{name}, {spp} samples: mean square correlations {squares:.3?}");
 }
 
-/// Two domains over frames: the error of the mean product is that of independent numbers, or of nets in random orders. An order
-/// of samples and one of frames double its square at most, each. Domains that went through their frames in step would keep
-/// all of it: 38 times.
+/// Two domains over frames: the error of the mean product is that of independent numbers, or of nets in random orders.
+/// An order of samples and one of frames double its square at most, each. Domains that went through their frames in
+/// step would keep all of it: 38 times.
 #[test]
 fn domains_meet_over_frames_as_if_at_random() {
     const FRAMES: u32 = 64;

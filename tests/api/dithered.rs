@@ -193,8 +193,8 @@ proptest! {
     }
 }
 
-/// The mean over frames gets better like that of independent frames, long after every place of the mask was read: smooth
-/// integrands and steps, one number and a pair. Before places came in rounds, 65,536 frames left twice as much.
+/// The mean over frames gets better like that of independent frames, long after every place of the mask was read:
+/// smooth integrands and steps, one number and a pair. Before places came in rounds, 65,536 frames left twice as much.
 #[test]
 fn the_mean_over_frames_goes_on_converging() {
     // Each minus its mean, over its standard deviation.
@@ -233,8 +233,8 @@ fn the_mean_over_frames_goes_on_converging() {
     }
 }
 
-/// A round flips digits of all pixels alike, of the upper nine all or none: each rank stands once, near values stay near,
-/// and every frame alone is as blue as the mask. The first round flips nothing.
+/// A round flips digits of all pixels alike, of the upper nine all or none: each rank stands once, near values stay
+/// near, and every frame alone is as blue as the mask. The first round flips nothing.
 #[test]
 fn every_frame_has_the_order_of_the_mask_or_the_other() {
     let mut turned = 0;

@@ -131,8 +131,8 @@ fn every_digit_of_base_4_goes_through_all_permutations() {
                 let mut sorted = permutation;
                 sorted.sort_unstable();
                 assert_eq!(sorted, [0, 1, 2, 3]);
-                // The values that stay one half of the four: those of the first bit, of the second, or of their sum. Read
-                // in reversed order, the first bit of a digit is the lower one.
+                // The values that stay one half of the four: those of the first bit, of the second, or of their sum.
+                // Read in reversed order, the first bit of a digit is the lower one.
                 let partner = (1..4).find(|&other| (permutation[0] ^ permutation[other]) & 1 == 0).expect("one");
                 let share = f64::from(count) / f64::from(rounds);
                 let expected = if partner == 3 { 2.0 } else { 3.0 } / 64.0;

@@ -58,8 +58,8 @@ fn every_power_of_two_of_an_extensible_lattice_is_a_group() {
     }
 }
 
-/// Squared worst-case error of a lattice in the Korobov space of order 2: the mean of Π(1 + γ·ω(x)) over its points, less
-/// one, with ω(x) = 2π²(x² − x + 1/6). `products` are those of the dimensions so far.
+/// Squared worst-case error of a lattice in the Korobov space of order 2: the mean of Π(1 + γ·ω(x)) over its points,
+/// less one, with ω(x) = 2π²(x² − x + 1/6). `products` are those of the dimensions so far.
 fn squared_error(products: &[f64], weight: f64, z: u32) -> f64 {
     let count = products.len();
     (0..count).map(|k| products[k] * factor(k * z as usize % count, count, weight)).sum::<f64>() / count as f64 - 1.0
@@ -133,8 +133,8 @@ fn a_billion_points_on_the_r_sequences_have_drifted_as_little_as_is_said() {
 
 #[test]
 fn r_sequences_fill_the_interval_evenly() {
-    // Three lengths of gaps at most between the points on a line (the three-gap theorem), and none twice the mean for the
-    // golden ratio.
+    // Three lengths of gaps at most between the points on a line (the three-gap theorem), and none twice the mean for
+    // the golden ratio.
     for count in [1u32, 2, 10, 144, 1000] {
         let mut values: Vec<u32> = (0..count).map(|i| r::<1>(i)[0]).collect();
         values.sort_unstable();

@@ -92,8 +92,8 @@ fn filtered_mask_of_16_frames() {
     }
 }
 
-/// Error of the mean of frames from `first` on over that of one white frame: unfiltered and after Gaussians of 1 and 2.1
-/// pixels; root of the mean of squares over integrands.
+/// Error of the mean of frames from `first` on over that of one white frame: unfiltered and after Gaussians of 1 and
+/// 2.1 pixels; root of the mean of squares over integrands.
 fn left<const S: usize>(integrands: &[Integrand2], frames: &[&VectorMask<2, S>]) -> [f64; 3] {
     let mut sums = [0.0; 3];
     for integrand in integrands {

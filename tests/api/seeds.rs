@@ -171,7 +171,8 @@ fn swaps_are_disjoint() {
     assert_eq!(SEED_PERMUTATION.partner(u32::MAX, 0, 0), None);
 }
 
-/// What stands in one frame's order of the mask stands nearly in the next one's: within .05 of the range, of .41 before.
+/// What stands in one frame's order of the mask stands nearly in the next one's: within .05 of the range, of .41
+/// before.
 #[test]
 fn retargeting_follows_the_mask() {
     const SIZE: u32 = 128;
@@ -217,8 +218,8 @@ fn first_seeds(seed: u32) -> Vec<u32> {
     (0..(SIZE * SIZE) as u32).map(|p| hash::combine(seed, p)).collect()
 }
 
-/// The filtered error of a frame over that of white noise, at both sigmas, with the second step or without. White is the
-/// first frame.
+/// The filtered error of a frame over that of white noise, at both sigmas, with the second step or without. White is
+/// the first frame.
 fn after_frames<const SIDE: usize>(frames: u32, retarget: bool, exact: &[f32]) -> [f64; 2] {
     let error = |image: &[f32]| ErrorImage {
         size: SIZE,
@@ -238,8 +239,8 @@ fn after_frames<const SIDE: usize>(frames: u32, retarget: bool, exact: &[f32]) -
     SIGMAS.map(|sigma| error(&image).filtered_rms(sigma) / white.filtered_rms(sigma))
 }
 
-/// Twenty dimensions, one sample a pixel, a static picture: the part of a wall that lies in its middle, since what counts
-/// is how alike neighbouring pixels are. With corners in it and half as many lines, .5 to .6 is left.
+/// Twenty dimensions, one sample a pixel, a static picture: the part of a wall that lies in its middle, since what
+/// counts is how alike neighbouring pixels are. With corners in it and half as many lines, .5 to .6 is left.
 #[test]
 fn six_frames_halve_the_filtered_error_of_paths() {
     let exact = render(&first_seeds(99), 0.0, 64);

@@ -204,8 +204,8 @@ fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
     found
 }
 
-/// Constants that stand in both: numbers without a pattern are somewhere in Rust, by themselves or as half of a word, so
-/// that one that is changed there alone is noticed without a device.
+/// Constants that stand in both: numbers without a pattern are somewhere in Rust, by themselves or as half of a word,
+/// so that one that is changed there alone is noticed without a device.
 #[test]
 fn constants_are_those_of_rust() {
     let rust: String = files("src", "rs").into_iter().map(|(_, text)| text.replace('_', "")).collect();

@@ -29,7 +29,8 @@ const EXTREMES: [f32; 22] = [
     -f32::NAN,
 ];
 
-/// Through memory: a compiler for s390x goes astray where it makes doubles of `warp`'s floats, which are right, in place.
+/// Through memory: a compiler for s390x goes astray where it makes doubles of `warp`'s floats, which are right, in
+/// place.
 fn double(value: f32) -> f64 {
     f64::from(core::hint::black_box(value))
 }

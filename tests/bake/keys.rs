@@ -278,8 +278,8 @@ fn features_are_sums_of_cosines() {
     }
 }
 
-/// No frame's joint error of two domains is better or worse than another's: every pixel has an order of its own. All pixels
-/// in one order had 0 to .5 where white noise has .35, at 4 samples.
+/// No frame's joint error of two domains is better or worse than another's: every pixel has an order of its own. All
+/// pixels in one order had 0 to .5 where white noise has .35, at 4 samples.
 #[test]
 fn the_joint_error_of_two_domains_is_white() {
     let keys = baked_keys::<64>(9);

@@ -75,8 +75,8 @@ fn keys_at_normal_effort() {
     check_keys(Kind::Keys, Effort::Normal, &[(1, [0.48, 0.61]), (4, [0.43, 0.69])]);
 }
 
-/// The weights of the keys' prefixes were picked while looking at the evaluation's integrands: on others, which were drawn
-/// for this test alone, the keys do as well.
+/// The weights of the keys' prefixes were picked while looking at the evaluation's integrands: on others, which were
+/// drawn for this test alone, the keys do as well.
 #[test]
 fn keys_do_as_well_on_integrands_that_nobody_looked_at() {
     const FRESH: u64 = 0x0f4e_5400;

@@ -1,5 +1,5 @@
-//! The bake, which build.rs runs: algorithms against naive twins, what is frozen against what it finds, and how much of the
-//! error its tables leave. `cargo test sizes::` runs one module.
+//! The bake, which build.rs runs: algorithms against naive twins, what is frozen against what it finds, and how much of
+//! the error its tables leave. `cargo test sizes::` runs one module.
 #![allow(missing_docs, clippy::cast_possible_truncation, clippy::std_instead_of_core, reason = "tests on the host")]
 #![allow(clippy::print_stdout, reason = "tables are printed on request")]
 

@@ -90,7 +90,8 @@ fn judge_vector(name: &str, ranks: &[[u16; 2]], size: usize) -> VectorQuality {
 /// A threshold mask of 64² or more does its work.
 fn assert_threshold(quality: &ThresholdQuality) {
     let Relative { smooth, step, .. } = quality.one_sample;
-    // Void-and-cluster with sigma 1.5 alone reads .200/.025 and .316/.158; masks annealed for offsets are above .26/.09.
+    // Void-and-cluster with sigma 1.5 alone reads .200/.025 and .316/.158; masks annealed for offsets are above
+    // .26/.09.
     assert_below("smooth", 1, smooth, [0.20, 0.025]);
     assert_below("step", 1, step, [0.34, 0.17]);
     assert!(quality.low_frequency <= 0.0005, "low frequencies: {} of white", quality.low_frequency);

@@ -239,8 +239,8 @@ fn columns(pattern: Pattern, k_max: u32, shares: [f64; 3]) -> Vec<Column> {
     all.into_iter().map(|(_, scale, column)| Column { weight: libm::round(scale * unit) as i64, ..column }).collect()
 }
 
-/// The same for keys: for each prefix the 32 columns of largest variance over all blocks of the first 4096 points; `shares`
-/// are variances of all columns.
+/// The same for keys: for each prefix the 32 columns of largest variance over all blocks of the first 4096 points;
+/// `shares` are variances of all columns.
 fn key_columns(shares: [f64; 4]) -> Vec<Column> {
     const K_MAX: u32 = 24;
     let columns = Columns::read(&tables()).expect("the sequence");

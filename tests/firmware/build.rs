@@ -1,4 +1,5 @@
-//! Where a machine's memory lies: code at the first address, then the stack's place, which ends where QEMU's machine does.
+//! Where a machine's memory lies: code at the first address, then the stack's place, which ends where QEMU's machine
+//! does.
 
 use std::path::Path;
 

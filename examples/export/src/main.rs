@@ -4,8 +4,9 @@
 //! cargo run -p export -- --out DIR
 //! ```
 //!
-//! Masks as raw bytes, PNG of 8 and 16 bits and DDS; shaders in WGSL, HLSL, GLSL, MSL and SPIR-V; a C99 header; a web page
-//! that runs the WGSL; a manifest with digests. More tables by features: `--features keys-64`, or `--features all`.
+//! Masks as raw bytes, PNG of 8 and 16 bits and DDS; shaders in WGSL, HLSL, GLSL, MSL and SPIR-V; a C99 header; a web
+//! page that runs the WGSL; a manifest with digests. More tables by features: `--features keys-64`, or `--features
+//! all`.
 
 mod arguments;
 #[cfg(all(test, feature = "all"))]

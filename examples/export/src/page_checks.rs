@@ -28,8 +28,8 @@ fn set(browser: &Browser, id: &str, property: &str, value: &str) {
     ));
 }
 
-/// The page measures what it shows: with one sample and with four blue noise leaves less after the filter, for the eye's
-/// purpose; the console stays empty; light and dark, on a screen and on a phone.
+/// The page measures what it shows: with one sample and with four blue noise leaves less after the filter, for the
+/// eye's purpose; the console stays empty; light and dark, on a screen and on a phone.
 #[test]
 #[ignore = "needs chromium-driver"]
 fn the_page_runs() {

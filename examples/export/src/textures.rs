@@ -1,13 +1,15 @@
 //! Tables as files that engines and tools read.
 //!
 //! - `.bin`: the numbers as the library has them, little-endian, row by row, channels interleaved. For buffers.
-//! - `-16.png`, `.dds` (R16 or R16G16, unsigned normalised): values, 65536·(rank + ½)/S² rounded down. Read as integers,
-//!   rank r of a mask of S² pixels is the upper 2·log₂ S bits; read as floats, within 2⁻¹⁶ of the library's value.
+//! - `-16.png`, `.dds` (R16 or R16G16, unsigned normalised): values, 65536·(rank + ½)/S² rounded down. Read as
+//!   integers, rank r of a mask of S² pixels is the upper 2·log₂ S bits; read as floats, within 2⁻¹⁶ of the library's
+//!   value.
 //! - `-8.png`: 256·(rank + ½)/S² rounded down, the *centred* quantisation: each of the 256 levels occurs equally often,
-//!   and level q stands for (q + ½)/256. Divide by 256, not by 255, after adding ½: the mean is ½ then, as it should be.
+//!   and level q stands for (q + ½)/256. Divide by 256, not by 255, after adding ½: the mean is ½ then, as it should
+//!   be.
 //!
-//! Keys are digits, not values: what is written is they themselves, and never in 8 bits. Frames lie one below the other in
-//! a PNG and are layers of a DDS. Two channels are red and green. Other tables are raw only.
+//! Keys are digits, not values: what is written is they themselves, and never in 8 bits. Frames lie one below the other
+//! in a PNG and are layers of a DDS. Two channels are red and green. Other tables are raw only.
 
 use crate::folder::Folder;
 use crate::tables::{Kind, Table};

@@ -20,8 +20,8 @@
 //! ```
 //!
 //! The falling reach is not in the paper: late, a random partner is nearly always refused, and a near value is a fine
-//! step. It saves two thirds of the swaps. Sums are integers, and floats are single operations or `libm`'s: a seed gives
-//! the same mask on every machine.
+//! step. It saves two thirds of the swaps. Sums are integers, and floats are single operations or `libm`'s: a seed
+//! gives the same mask on every machine.
 //!
 //! Mounted by `#[path]` in tests and examples, whose root needs `use bluedither::{sobol, torus};`.
 #![allow(clippy::cast_possible_truncation, reason = "coordinates, ranks and floats that hold them are below 2^16")]

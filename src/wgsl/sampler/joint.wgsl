@@ -1,5 +1,5 @@
-// The draws of a sampler whose domains are one net, by its `bd_NAME_numbers` of a pixel, a domain and an index, which gives
-// all eight numbers: what is not asked for is for the compiler to leave out. NAME and TITLE are the sampler's.
+// The draws of a sampler whose domains are one net, by its `bd_NAME_numbers` of a pixel, a domain and an index, which
+// gives all eight numbers: what is not asked for is for the compiler to leave out. NAME and TITLE are the sampler's.
 
 // Sample `index` for purpose `domain`: 1 to 8 numbers, 0.32 fixed point.
 fn bd_NAME_draw1_fx(pixel: bd_TITLEPixel, domain: u32, index: u32) -> u32 {

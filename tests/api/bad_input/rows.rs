@@ -62,8 +62,8 @@ fn due(samples: usize, channels: usize, needed: usize, given: usize) -> Result<(
     if given < needed { Err(RowError::TooShort { needed, given }) } else { Ok(()) }
 }
 
-/// Dithers into `given` numbers, and holds the outcome against what is due: nothing is written after an error, nor beyond
-/// the row.
+/// Dithers into `given` numbers, and holds the outcome against what is due: nothing is written after an error, nor
+/// beyond the row.
 fn check<T: Copy + PartialEq + core::fmt::Debug>(
     [samples, channels, needed]: [usize; 3],
     given: usize,

@@ -33,7 +33,8 @@ fn triangular_is_monotone_and_has_its_distribution() {
     }
 }
 
-/// The mean is the value, and half a level away from the ends the variance of the error is a quarter of a level's square.
+/// The mean is the value, and half a level away from the ends the variance of the error is a quarter of a level's
+/// square.
 #[test]
 fn triangular_noise_keeps_mean_and_variance() {
     let n = 4096u32;

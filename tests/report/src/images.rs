@@ -11,7 +11,8 @@ use rayon::prelude::*;
 pub trait Pixels: Sync {
     /// An even number of them: images are transformed in pairs.
     fn count(&self) -> usize;
-    /// Writes the error of each integrand in pixel `p`, row by row; `point(index)` is a sample of two numbers, or of one.
+    /// Writes the error of each integrand in pixel `p`, row by row; `point(index)` is a sample of two numbers, or of
+    /// one.
     fn errors(&self, p: usize, point: impl Fn(u32) -> [f32; 2], out: &mut [f32]);
     /// One sampler's samples in the shape of a pair.
     fn draw(pixel: impl crate::shape::Pixel, index: u32) -> [f32; 2] {

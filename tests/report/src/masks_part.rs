@@ -66,7 +66,8 @@ fn peers() -> Vec<Mask> {
 /// What is known of that package without it: an earlier measurement.
 const FROZEN: [&str; 4] = ["blue-noise package (frozen figure)", "–", "–", "0.036 s"];
 
-/// Seconds that the crate's own void and cluster takes, optimised, for the mask that build.rs makes; a kernel of its shape.
+/// Seconds that the crate's own void and cluster takes, optimised, for the mask that build.rs makes; a kernel of its
+/// shape.
 fn own_seconds() -> f64 {
     let weight = |r2: f64| 1_048_576.0 * ((-r2 / 3.92).exp() + 0.1 * (-r2 / 12.5).exp());
     let kernel: Vec<i32> = (0..101).map(|r2| weight(f64::from(r2)).round() as i32).collect();

@@ -59,7 +59,8 @@ fn table(table: &Table, open: bool) -> String {
     )
 }
 
-/// A background for a number that white noise has as 1: greener below, redder above, full at a quarter and at four times.
+/// A background for a number that white noise has as 1: greener below, redder above, full at a quarter and at four
+/// times.
 fn tint(cell: &str) -> String {
     let number = cell.split([' ', '/']).next().and_then(|text| text.parse::<f64>().ok()).filter(|v| *v > 0.0);
     number.map_or(String::new(), |value| {

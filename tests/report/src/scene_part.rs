@@ -158,8 +158,8 @@ pub fn chapter(names: &[&'static str], seed: u32, quick: bool) -> Chapter {
     }
 }
 
-/// How many samples each sampler can take in the time of `BUDGET` ones of white noise, rendering included: by the fastest
-/// of some rounds in which all take turns.
+/// How many samples each sampler can take in the time of `BUDGET` ones of white noise, rendering included: by the
+/// fastest of some rounds in which all take turns.
 fn at_equal_time<'a>(names: &[&'a str], render: &dyn Fn(&str, u32) -> Image, rounds: u32) -> Vec<(&'a str, u32)> {
     let mut best = vec![f64::INFINITY; names.len()];
     for round in 0..rounds {

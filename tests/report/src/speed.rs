@@ -199,8 +199,8 @@ impl Speeds {
         self.by(Order::Rows, name, dimensions, spp)
     }
 
-    /// Nanoseconds that a pixel's whole set takes by whichever call is the faster, one draw after the other or all at once;
-    /// between the measured sample counts on a line.
+    /// Nanoseconds that a pixel's whole set takes by whichever call is the faster, one draw after the other or all at
+    /// once; between the measured sample counts on a line.
     pub fn of_set(&self, name: &str, dimensions: usize, spp: u32) -> Option<f64> {
         let at = SPP.iter().position(|s| *s >= spp).unwrap_or(SPP.len() - 1);
         let [low, high] = [SPP[at.saturating_sub(1)], SPP[at]];

@@ -1,7 +1,8 @@
-//! A small path tracer: a box that is open in front, two spheres, a lamp in the ceiling; all diffuse, light by luminance.
+//! A small path tracer: a box that is open in front, two spheres, a lamp in the ceiling; all diffuse, light by
+//! luminance.
 //!
-//! Every vertex of a path connects to a point of the lamp. The numbers of a vertex are one domain, those of the camera and
-//! of the first vertex together.
+//! Every vertex of a path connects to a point of the lamp. The numbers of a vertex are one domain, those of the camera
+//! and of the first vertex together.
 
 use bluedither::warp;
 use glam::{Vec3A, vec3a};
@@ -25,8 +26,8 @@ struct Hit {
     albedo: f32,
 }
 
-/// What one path finds that starts at a place of the picture, both coordinates within 0 and 1. `numbers(k)` are those of
-/// vertex k: a point of the lamp, the next direction. A path of one vertex is direct light.
+/// What one path finds that starts at a place of the picture, both coordinates within 0 and 1. `numbers(k)` are those
+/// of vertex k: a point of the lamp, the next direction. A path of one vertex is direct light.
 pub fn luminance(place: [f32; 2], vertices: u32, numbers: impl Fn(u32) -> [[f32; 2]; 2]) -> f32 {
     let [right, up] = [2.0 * place[0] - 1.0, 1.0 - 2.0 * place[1]].map(|c| c * TAN_HALF_VIEW);
     let (mut origin, mut direction) = (EYE, vec3a(right, up, -1.0).normalize());

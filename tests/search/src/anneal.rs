@@ -60,8 +60,8 @@ impl<'a> State<'a> {
     }
 }
 
-/// The best map of so many tries, and its energy. Of the first `columns` bits of a sample's number, columns are added to
-/// later ones.
+/// The best map of so many tries, and its energy. Of the first `columns` bits of a sample's number, columns are added
+/// to later ones.
 pub fn anneal(models: &[Model], start: Map, columns: usize, tries: usize, seed: u64) -> (f64, Map) {
     let mut random = Random::new(seed);
     let mut state = State::new(models, start);

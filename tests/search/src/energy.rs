@@ -1,5 +1,5 @@
-//! The predicted error of an integrand of several numbers after a filter: a sum over the characters that the samples of a
-//! pixel leave over, of the power they have times what the filter leaves of their functions of the place.
+//! The predicted error of an integrand of several numbers after a filter: a sum over the characters that the samples of
+//! a pixel leave over, of the power they have times what the filter leaves of their functions of the place.
 //!
 //! Own pairs count by integrands of two numbers and of five, pairs across, triples and fours by integrands of several.
 
@@ -16,8 +16,8 @@ pub struct Training {
 }
 
 /// W after a Gaussian of 1 pixel that counts as 1, at 1, 2, 4, …, 256 samples, and the weight: half-planes and smooth
-/// functions of an own pair, half-planes of a pair across, half-spaces in three and five numbers, smooth ones in five, light
-/// where one number picks a half and a pair a point of it.
+/// functions of an own pair, half-planes of a pair across, half-spaces in three and five numbers, smooth ones in five,
+/// light where one number picks a half and a pair a point of it.
 const GOALS: [([f64; COUNTS], f64); 7] = [
     ([0.60, 0.66, 0.70, 0.71, 0.71, 0.72, 0.70, 0.70, 0.70], 1.2),
     ([0.42, 0.42, 0.42, 0.42, 0.36, 0.32, 0.24, 0.24, 0.24], 1.1),
@@ -112,8 +112,8 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Tables of a number: for every set of digits the bits of a sample's number (lower half) and the function of the place
-    /// (upper half) that they sum up to; and the sets of pairs' digits by the former.
+    /// Tables of a number: for every set of digits the bits of a sample's number (lower half) and the function of the
+    /// place (upper half) that they sum up to; and the sets of pairs' digits by the former.
     pub fn sums(&self, map: &Map, number: usize) -> Sums {
         let mask = (1u32 << self.m) - 1;
         let mut of = vec![0u32; 1 << DIGITS[0]];

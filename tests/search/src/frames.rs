@@ -1,10 +1,10 @@
-//! Columns for frames where the number of samples is not known: 2^m samples of 8^k frames are a net together, for all m and
-//! k, and one sample of 1, 2 or 4 frames.
+//! Columns for frames where the number of samples is not known: 2^m samples of 8^k frames are a net together, for all m
+//! and k, and one sample of 1, 2 or 4 frames.
 //!
-//! Read a sample's number as a polynomial over GF(2), bit j for t^j: digits of an own pair are its power series at t = 0 and at
-//! t = 1 (Sobol's first two matrices). With p = t³ + t + 1, which has an inverse at both, frames are taken as Σ aₖ/p^(k+1) with
-//! numerators below degree 3: together with the samples they span all polynomials below degree m + 3k over p^k. The map's
-//! scrambles of digits apply to both.
+//! Read a sample's number as a polynomial over GF(2), bit j for t^j: digits of an own pair are its power series at t =
+//! 0 and at t = 1 (Sobol's first two matrices). With p = t³ + t + 1, which has an inverse at both, frames are taken as
+//! Σ aₖ/p^(k+1) with numerators below degree 3: together with the samples they span all polynomials below degree m + 3k
+//! over p^k. The map's scrambles of digits apply to both.
 
 use bluedither::net::{Digits, FRAMES};
 

@@ -1,12 +1,12 @@
-//! Finds the constants of the joint net (`bluedither::net`) and writes them to `tables/net.txt`: an order for each number of
-//! samples, then the columns of frames. A quarter of an hour of two cores.
+//! Finds the constants of the joint net (`bluedither::net`) and writes them to `tables/net.txt`: an order for each
+//! number of samples, then the columns of frames. A quarter of an hour of two cores.
 //!
 //! ```sh
 //! cargo run --release -p search
 //! ```
-//! The integrands are random half-spaces and smooth functions of two, three and five numbers; the evaluation (`report --
-//! several`) uses others, and nothing here is taken from it. All sums are in a fixed order and all functions libm's, so
-//! that the outcome is the same on every machine.
+//! The integrands are random half-spaces and smooth functions of two, three and five numbers; the evaluation (`report
+//! -- several`) uses others, and nothing here is taken from it. All sums are in a fixed order and all functions libm's,
+//! so that the outcome is the same on every machine.
 
 mod anneal;
 mod energy;

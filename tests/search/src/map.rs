@@ -1,5 +1,5 @@
-//! What is searched for: a row for each digit of each number, by which it is a parity of bits of the sample's number, of the
-//! place inside a block and of the block's place.
+//! What is searched for: a row for each digit of each number, by which it is a parity of bits of the sample's number,
+//! of the place inside a block and of the block's place.
 
 use bluedither::net::{DIGITS, Digits, Order};
 
@@ -53,8 +53,8 @@ impl Map {
         self.0[number][to].samples ^= self.0[number][from].samples;
     }
 
-    /// Adds a column to a later one, of the first `columns`, in both numbers of a pair: every run of 2^m samples stays the
-    /// same set of this pair.
+    /// Adds a column to a later one, of the first `columns`, in both numbers of a pair: every run of 2^m samples stays
+    /// the same set of this pair.
     pub fn add_column(&mut self, pair: usize, columns: usize, random: &mut Random) {
         let to = 1 + random.below(columns - 1);
         let from = random.below(to);

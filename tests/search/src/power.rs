@@ -1,7 +1,7 @@
 //! How much power a family of training integrands has in the Walsh functions of one, two, three and four numbers.
 //!
-//! Function c of a number is the product of the signs of its digits j+1 for the bits j that are set in c. Of a function of
-//! many numbers, the transform of its mean over the others gives the characters of those that are kept.
+//! Function c of a number is the product of the signs of its digits j+1 for the bits j that are set in c. Of a function
+//! of many numbers, the transform of its mean over the others gives the characters of those that are kept.
 
 use rayon::prelude::*;
 
@@ -11,7 +11,8 @@ use crate::ridge::Ridge;
 /// Digits of a number that are looked at where it stands alone, in pairs, in triples and in fours.
 pub const DIGITS: [usize; 4] = [12, 10, 6, 4];
 
-/// Mean power by the number of numbers: at index c₁ | c₂ << digits | …, symmetric, 0 where a part of the character is 0.
+/// Mean power by the number of numbers: at index c₁ | c₂ << digits | …, symmetric, 0 where a part of the character is
+/// 0.
 #[derive(Debug)]
 pub struct Family {
     pub dimensions: usize,

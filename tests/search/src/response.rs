@@ -1,8 +1,8 @@
-//! What a filter leaves of a character over the picture: its Walsh function over 4×4 pixels, in one of eight variants, times a
-//! sign of the block.
+//! What a filter leaves of a character over the picture: its Walsh function over 4×4 pixels, in one of eight variants,
+//! times a sign of the block.
 //!
-//! The sign is that of a place on the shuffled curve: the same up to some level, one of three ways to halve a 2×2 square of
-//! cells there, unrelated above.
+//! The sign is that of a place on the shuffled curve: the same up to some level, one of three ways to halve a 2×2
+//! square of cells there, unrelated above.
 
 use crate::random::Random;
 

@@ -1,5 +1,5 @@
-//! Calls functions by every public name from a `no_std` program whose panic handler does not link: if the optimised code
-//! could panic anywhere, this crate would not build. `.ci/run` also sees to it that no name is forgotten.
+//! Calls functions by every public name from a `no_std` program whose panic handler does not link: if the optimised
+//! code could panic anywhere, this crate would not build. `.ci/run` also sees to it that no name is forgotten.
 //!
 //! Build it with `RUSTFLAGS="-Clink-arg=-nostdlib -Clink-arg=-lc -Clink-arg=-Wl,--no-undefined,--gc-sections"`.
 #![no_std]

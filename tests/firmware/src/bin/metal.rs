@@ -1,5 +1,5 @@
-//! Prints the checksums, the deepest stack of each, that of every call, and on a Cortex-M with a counter the instructions
-//! of a row.
+//! Prints the checksums, the deepest stack of each, that of every call, and on a Cortex-M with a counter the
+//! instructions of a row.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,5 @@
-//! Cycles' blue-noise sampling ("pure" mode, Blender 4.3; after Ahmed and Wonka 2020 and Vegdahl 2022), written from its
-//! description: a base-4 Owen-scrambled Morton curve gives every pixel a run of one Owen-scrambled Sobol sequence.
+//! Cycles' blue-noise sampling ("pure" mode, Blender 4.3; after Ahmed and Wonka 2020 and Vegdahl 2022), written from
+//! its description: a base-4 Owen-scrambled Morton curve gives every pixel a run of one Owen-scrambled Sobol sequence.
 
 use super::draws;
 use bluedither::zorder::morton_16;

@@ -1,6 +1,6 @@
 //! Heitz et al. 2019, "A Low-Discrepancy Sampler that Distributes Monte Carlo Errors as a Blue Noise in Screen Space":
-//! the published tables (package `blue-noise-sampler`) and the formula of their release, with the dimension masked, which
-//! it leaves out: from dimension 8 on it reads another pixel's entry.
+//! the published tables (package `blue-noise-sampler`) and the formula of their release, with the dimension masked,
+//! which it leaves out: from dimension 8 on it reads another pixel's entry.
 //!
 //! The package holds bytes as `i32`; they are packed once.
 
@@ -35,8 +35,8 @@ releases! { spp1 spp2 spp4 spp8 spp16 spp32 spp64 spp128 spp256 }
 
 /// The release of the next power of two; counts above 256 take the last and repeat.
 ///
-/// It has no seed: here the seed picks one of its four optimised pairs of dimensions and moves the tile. A domain has the
-/// eight dimensions that it was made for, and the tile at a place of its own.
+/// It has no seed: here the seed picks one of its four optimised pairs of dimensions and moves the tile. A domain has
+/// the eight dimensions that it was made for, and the tile at a place of its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Heitz {
     release: &'static Release,

@@ -1,5 +1,5 @@
-//! Sobol's sequence in eight dimensions with the direction numbers of Joe and Kuo 2008, plain: what every renderer could
-//! have without a table of ours. Two ways to deal it to pixels.
+//! Sobol's sequence in eight dimensions with the direction numbers of Joe and Kuo 2008, plain: what every renderer
+//! could have without a table of ours. Two ways to deal it to pixels.
 
 use bluedither::sobol::directions;
 use bluedither::zorder::morton_16;
@@ -82,8 +82,8 @@ impl JointSobolPixel {
     super::fill!();
 }
 
-/// One sequence for the picture, dealt along a Morton curve whose base-4 digits are scrambled (Ahmed and Wonka 2020), in a
-/// joint net of eight dimensions: nothing in it is optimised.
+/// One sequence for the picture, dealt along a Morton curve whose base-4 digits are scrambled (Ahmed and Wonka 2020),
+/// in a joint net of eight dimensions: nothing in it is optimised.
 #[derive(Clone, Copy, Debug)]
 pub struct SobolZ {
     seed: u32,

@@ -1,5 +1,5 @@
-//! The `openqmc-rs` package, a port of OpenQMC (Academy Software Foundation): samplers that are joint in four dimensions,
-//! their errors spread as blue noise by tables of 256×256 pixels.
+//! The `openqmc-rs` package, a port of OpenQMC (Academy Software Foundation): samplers that are joint in four
+//! dimensions, their errors spread as blue noise by tables of 256×256 pixels.
 
 use bluedither::hash;
 use core::fmt::Debug;

@@ -7,8 +7,8 @@ use bluedither::{hash, sobol, unit};
 
 /// The samples are rounded up to a power of two. Images up to 2³² samples.
 ///
-/// Its `seed` does not enter the order of the pixels; so that several seeds are as many instances, each starts here at a
-/// dimension of its own.
+/// Its `seed` does not enter the order of the pixels; so that several seeds are as many instances, each starts here at
+/// a dimension of its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Pbrt {
     seed: u32,

@@ -29,8 +29,8 @@ impl Rand {
 }
 
 impl RandPixel {
-    /// A generator has no sample 7 without those before: any sample at once is a generator of its own, as costly as that
-    /// is. Other numbers than [`fill`](Self::fill) gives, as random.
+    /// A generator has no sample 7 without those before: any sample at once is a generator of its own, as costly as
+    /// that is. Other numbers than [`fill`](Self::fill) gives, as random.
     #[inline]
     pub fn draw<const D: usize>(self, domain: u32, index: u32) -> [f32; D] {
         let mut sample = [[0.0; D]];

@@ -1,8 +1,8 @@
 //! Several dimensions at once: what a picture asks for that takes its lens, light and material from one sample.
 //!
-//! All samplers are held against one baseline, white noise of padded pairs, so that what a joint sampler gains and what a
-//! padded one loses both show. Texture is looked for in small windows of single error images, where no average hides it;
-//! every cell that is worse than white noise is listed.
+//! All samplers are held against one baseline, white noise of padded pairs, so that what a joint sampler gains and what
+//! a padded one loses both show. Texture is looked for in small windows of single error images, where no average hides
+//! it; every cell that is worse than white noise is listed.
 
 #[cfg(test)]
 mod checks;
