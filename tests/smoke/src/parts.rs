@@ -3,9 +3,7 @@
 use bluedither::sequence::Sequence;
 use bluedither::sobol::Directions;
 use bluedither::tables::{EFFORT, OFFSET_2D_64, SOBOL_16, THRESHOLD_64};
-use bluedither::{
-    Keys, ScalarMask, VectorMask, hash, lattice, net, shift, sobol, strata, torus, unit, warp, zorder,
-};
+use bluedither::{Keys, ScalarMask, VectorMask, hash, lattice, net, shift, sobol, strata, torus, unit, warp, zorder};
 
 /// Look-ups and bytes.
 #[unsafe(no_mangle)]
