@@ -226,12 +226,10 @@ impl Domain {
     #[expect(clippy::cast_possible_truncation, reason = "pieces of a hash")]
     fn sample(self, index: u32) -> (Self, u32) {
         let mask = (1 << self.bits) - 1;
-        let frame = self.frame ^ index >> self.bits;
-        let frame_bits = net::DIGITS - self.bits;
-        let upper = self.frames.order(frame & ((1 << frame_bits) - 1)) << self.bits;
+        let upper = self.frames.order(self.frame ^ index >> self.bits & 0xffff >> self.bits) << self.bits;
         // Bits of the frame are added to those of the sample as well: a pixel's order changes from frame to frame.
         let number = self.samples.order(index & mask | upper) & mask ^ self.rank | upper;
-        let later = frame >> frame_bits;
+        let later = index >> net::DIGITS;
         if later == 0 {
             return (self, number);
         }

@@ -80,38 +80,35 @@ fn bd_sampler_numbers(pixel: bd_SamplerPixel, domain: u32, index: u32) -> array<
     digits = bd_net_add_two(digits, pixel.order + BD_NET_PLACE + 4u, place, 4u);
     // How many bits there are is the same for all pixels, and so is every branch.
     let known = pixel.bits < 16u;
-    let low = index & ((1u << pixel.bits) - 1u);
-    let ranks = select(0u, (1u << pixel.bits) - 1u, known);
-    let frame = select(0u, pixel.frame, known) ^ (index >> pixel.bits);
-    let frames = frame & ((1u << (16u - pixel.bits)) - 1u);
-    let most = low | ranks | (frames << pixel.bits);
-    if most != 0u {
-        // The pixel's order of samples; one of frames that 32x32 pixels have in common.
-        var upper = 0u;
-        if frames != 0u {
-            upper = bd_sampler_ordered(frames, shift) << pixel.bits;
+    let mask = (1u << pixel.bits) - 1u;
+    let low = index & mask;
+    let ranks = select(0u, mask, known);
+    // An order of frames that 32x32 pixels have in common. Their columns stand behind those of the samples, or apart.
+    let frames = pixel.frame ^ ((index >> pixel.bits) & (0xffffu >> pixel.bits));
+    var above = 0u;
+    if frames != 0u {
+        let n = bd_sampler_ordered(frames, shift);
+        let columns = select(BD_NET_FRAMES, pixel.order + pixel.bits, known);
+        for (var bit = 0u; (frames >> bit) != 0u; bit++) {
+            digits ^= bd_net_term(columns + bit, n, bit);
         }
-        let n = ((bd_sampler_ordered(low | upper, own) & ((1u << pixel.bits) - 1u)) ^ ((own >> 8u) & ranks)) | upper;
+        above = select(0u, n << pixel.bits, known);
+    }
+    // The pixel's order of samples, which changes from frame to frame.
+    let most = low | ranks;
+    if most != 0u {
+        let n = (bd_sampler_ordered(low | above, own) & mask) ^ ((own >> 8u) & ranks);
         digits = bd_net_add_four(digits, pixel.order, n, 0u);
         if most > 15u {
             digits = bd_net_add_four(digits, pixel.order + 4u, n, 4u);
-            if most > 255u {
-                digits = bd_net_add_four(digits, pixel.order + 8u, n, 8u);
-                digits = bd_net_add_four(digits, pixel.order + 12u, n, 12u);
+            for (var bit = 8u; (most >> bit) != 0u; bit++) {
+                digits ^= bd_net_term(pixel.order + bit, n, bit);
             }
         }
     }
-    if !known && pixel.frame != 0u {
-        let n = bd_sampler_ordered(pixel.frame, shift);
-        digits = bd_net_add_four(digits, BD_NET_FRAMES, n, 0u);
-        digits = bd_net_add_four(digits, BD_NET_FRAMES + 4u, n, 4u);
-        digits = bd_net_add_four(digits, BD_NET_FRAMES + 8u, n, 8u);
-        digits = bd_net_add_two(digits, BD_NET_FRAMES + 12u, n, 12u) ^ bd_net_term(BD_NET_FRAMES + 14u, n, 14u);
-    }
     // After 2^16 samples another sequence begins.
-    let later = frame >> (16u - pixel.bits);
-    if later != 0u {
-        let next = bd_hash_mix_64(key ^ vec2<u32>(0u, later));
+    if index > 0xffffu {
+        let next = bd_hash_mix_64(key ^ vec2<u32>(0u, index >> 16u));
         let anew = (vec4<u32>(next.y) * odd) ^ vec4<u32>(next.x);
         digits ^= anew;
         rest ^= anew;
